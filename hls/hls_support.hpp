@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the synthesis tool needs to hear, said once.
+#pragma once
+
+#include <cstdint>
+
+/// Stands before a loop over disparities, rows or columns that becomes parallel hardware. All arrays but the line
+/// memories dissolve into registers, and only do so when every index is constant after unrolling.
+#if defined(__clang__)
+#define HLS_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define HLS_UNROLL
+#endif
+
+namespace stereo {
+
+/// A multiplexer. `condition ? a[i] : a[j]` on array elements is an lvalue choice, which clang turns into a choice of
+/// addresses: the array would stay in memory and each access would cost a state.
+template <class T>
+constexpr T select(bool condition, T yes, T no) {
+   return condition ? yes : no;
+}
+
+/// Sets every element in an unrolled loop; `= {}` would become a memset, which costs a state for each byte.
+template <class T, int N>
+inline void fill(T (&array)[N], T value) {
+   HLS_UNROLL
+   for (int i = 0; i < N; ++i) array[i] = value;
+}
+
+}  // namespace stereo
