@@ -28,4 +28,14 @@ inline void fill(T (&array)[N], T value) {
    for (int i = 0; i < N; ++i) array[i] = value;
 }
 
+/// Tells the tool that `value` is never above `Largest`, which it cannot see in a counter that wraps by comparison: the
+/// register then has just the bits that it needs. Costs nothing.
+template <int Largest>
+constexpr uint16_t at_most(unsigned value) {
+   static_assert(Largest >= 0 && Largest <= UINT16_MAX, "counters have up to 16 bits");
+   unsigned mask = 1;
+   while (mask < unsigned(Largest)) mask = 2 * mask + 1;
+   return uint16_t(value & mask);
+}
+
 }  // namespace stereo

@@ -18,7 +18,10 @@ struct Raster {
    static constexpr int kRadius = C.radius_px();
    static constexpr int kIdleRow = C.height_px + kRadius;
 
-   StereoInput pixels;
+   // Single members instead of a StereoInput: a copied record of four bytes would become one 32-bit register.
+   uint8_t left = 0;
+   uint8_t right = 0;
+   bool valid = false;
    uint16_t column = 0;        ///< 0 ... W-1
    uint16_t row = kIdleRow;    ///< 0 ... H+r
    bool next_frame = false;    ///< rows H ... H+r-1 are the first rows of the next frame
@@ -34,10 +37,13 @@ struct Raster {
 
       const bool starts = in.valid && in.start_of_frame;
       const bool back_to_back = row_ends && row == C.height_px - 1;
-      column = select<uint16_t>(starts, 0, select<uint16_t>(in.valid, column_after, column));
-      row = select<uint16_t>(starts, select<uint16_t>(back_to_back, C.height_px, 0), select<uint16_t>(in.valid, row_after, row));
+      const uint16_t first_row = select<uint16_t>(back_to_back, C.height_px, 0);
+      column = at_most<C.width_px - 1>(select<uint16_t>(starts, 0, select<uint16_t>(in.valid, column_after, column)));
+      row = at_most<kIdleRow>(select<uint16_t>(starts, first_row, select<uint16_t>(in.valid, row_after, row)));
       next_frame = select<bool>(starts, back_to_back, select<bool>(in.valid, next_frame_after, next_frame));
-      pixels = in;
+      left = in.left;
+      right = in.right;
+      valid = in.valid;
    }
 };
 

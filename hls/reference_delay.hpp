@@ -27,14 +27,14 @@ struct ReferenceDelay {
    inline explicit ReferenceDelay(Memory& m) : memory(m) { fill(row_inside, false); }
 
    inline void clock(const Raster<C>& raster) {
-      const bool valid = raster.pixels.valid;
+      const bool valid = raster.valid;
       right = memory[read_address];
-      memory[write_address] = raster.pixels.right;
+      memory[write_address] = raster.right;
       write_address = select<uint16_t>(valid, read_address, write_address);
       const uint16_t read_after = select<uint16_t>(read_address == C.disparities - 1, 0, read_address + 1);
-      read_address = select<uint16_t>(valid, read_after, read_address);
+      read_address = at_most<C.disparities - 1>(select<uint16_t>(valid, read_after, read_address));
 
-      left = raster.pixels.left;
+      left = raster.left;
       column = raster.column;
       HLS_UNROLL
       for (int k = 0; k < kRows; ++k) row_inside[k] = raster.row >= k && raster.row < C.height_px + k;

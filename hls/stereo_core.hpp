@@ -26,6 +26,8 @@ struct StereoMemories {
 template <const StereoConfig& C>
 struct StereoCore {
    static_assert(CheckedConfig<C>::kValid);
+   using ReferenceMemory = typename ReferenceDelay<C>::Memory;
+   using RowMemory = typename LineBuffer<C>::Memory;
    using Winner = WinnerTree<C.disparities, C.winner_group>;
 
    /// Calls of `clock` from the one that takes the last pixel pair of a window to the one that returns its disparity.
@@ -39,7 +41,7 @@ struct StereoCore {
    WindowSum<C> window;
    Winner winner;
 
-   inline StereoCore(typename ReferenceDelay<C>::Memory& reference_memory, typename LineBuffer<C>::Memory& row_memory)
+   inline StereoCore(ReferenceMemory& reference_memory, RowMemory& row_memory)
        : reference(reference_memory), rows(row_memory) {}
 
    /// What the registers show in this clock. Does not depend on this clock's input.

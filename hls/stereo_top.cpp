@@ -4,31 +4,38 @@
 #include "stereo_core.hpp"
 
 namespace {
-constexpr const stereo::StereoConfig& kConfig = stereo::configurations::STEREO_CONFIGURATION;
+using Core = stereo::StereoCore<stereo::configurations::STEREO_CONFIGURATION>;
 // Static, so that they start with zeros in hardware too.
-stereo::ReferenceDelay<kConfig>::Memory reference_memory;
-stereo::LineBuffer<kConfig>::Memory row_memory;
+Core::ReferenceMemory reference_memory;
+Core::RowMemory row_memory;
 }  // namespace
 
-#pragma HLS interface port = left mode = none
-#pragma HLS interface port = right mode = none
+#pragma HLS interface port = left_pixel mode = none
+#pragma HLS interface port = right_pixel mode = none
 #pragma HLS interface port = start_of_frame mode = none
 #pragma HLS interface port = valid mode = none
 #pragma HLS interface port = disparity mode = none
-#pragma HLS interface port = out_flags mode = none
-extern "C" void stereo_core(volatile uint8_t* left, volatile uint8_t* right, volatile uint8_t* start_of_frame,
-                            volatile uint8_t* valid, volatile uint8_t* disparity, volatile uint8_t* out_flags) {
-   stereo::StereoCore<kConfig> core(reference_memory, row_memory);
+#pragma HLS interface port = disparity_valid mode = none
+#pragma HLS interface port = disparity_start_of_frame mode = none
+#pragma HLS interface port = disparity_end_of_line mode = none
+extern "C" void stereo_core(volatile uint8_t* left_pixel, volatile uint8_t* right_pixel, volatile bool* start_of_frame,
+                            volatile bool* valid, volatile uint8_t* disparity, volatile bool* disparity_valid,
+                            volatile bool* disparity_start_of_frame, volatile bool* disparity_end_of_line) {
+   Core core(reference_memory, row_memory);
 #pragma nounroll
    while (true) {
-      // All inputs before all outputs: volatile accesses keep their order, and a read after a write costs a state.
+      // Volatile accesses keep their order, and a read after a write or after the core's memory accesses costs a state: all
+      // inputs first, then all outputs, then the clock.
       stereo::StereoInput in;
-      in.left = *left;
-      in.right = *right;
-      in.start_of_frame = *start_of_frame & 1;
-      in.valid = *valid & 1;
-      const stereo::StereoOutput out = core.clock(in);
+      in.left = *left_pixel;
+      in.right = *right_pixel;
+      in.start_of_frame = *start_of_frame;
+      in.valid = *valid;
+      const stereo::StereoOutput out = core.output();
       *disparity = out.disparity;
-      *out_flags = uint8_t(out.valid) | uint8_t(out.start_of_frame << 1) | uint8_t(out.end_of_line << 2);
+      *disparity_valid = out.valid;
+      *disparity_start_of_frame = out.start_of_frame;
+      *disparity_end_of_line = out.end_of_line;
+      core.clock(in);
    }
 }

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# ctest labels: unit (seconds, needs nothing but the build), cosim, synth, slow.
+
+# stereo_add_pytest(NAME <test> FILE <file.py> [LABELS <label>...] [TIMEOUT <seconds>])
+#
+# Runs one pytest file. The test finds the program in env STEREO_HLS and the sources in env STEREO_SOURCE_DIR. It counts
+# as skipped, with the reason in its output, when every case of the file skipped itself (a missing tool).
+function(stereo_add_pytest)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;FILE;TIMEOUT" "LABELS")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 600)
+  endif()
+  add_test(NAME ${arg_NAME} COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/cmake/run_pytest.py" "${arg_FILE}")
+  set_tests_properties(
+    ${arg_NAME}
+    PROPERTIES LABELS "${arg_LABELS}"
+               TIMEOUT ${arg_TIMEOUT}
+               SKIP_RETURN_CODE 77
+               ENVIRONMENT "STEREO_HLS=$<TARGET_FILE:stereo_hls>;STEREO_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+endfunction()
+
+# stereo_add_rejected_source(NAME <test> SOURCE <file.cpp> DEFINITION <macro=value> MESSAGE <regular expression>)
+#
+# Passes when the compiler refuses the source with that message.
+function(stereo_add_rejected_source)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SOURCE;DEFINITION;MESSAGE" "")
+  add_test(NAME ${arg_NAME} COMMAND "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only "-I${PROJECT_SOURCE_DIR}/hls"
+                                    "-D${arg_DEFINITION}" "${CMAKE_CURRENT_SOURCE_DIR}/${arg_SOURCE}")
+  set_tests_properties(${arg_NAME} PROPERTIES LABELS unit PASS_REGULAR_EXPRESSION "${arg_MESSAGE}")
+endfunction()

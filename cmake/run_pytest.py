@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Run pytest files for ctest: exit code 0 passed, 77 all skipped, else failed (no test at all is a failure)."""
+
+import sys
+
+SKIPPED = 77
+
+
+class Tally:
+    """Counts how the tests ended, as pytest's exit code does not tell a skipped run from a passed one."""
+
+    def __init__(self):
+        self.passed = 0
+        self.skipped = []
+
+    def _record_skip(self, report):
+        reason = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
+        self.skipped.append(reason.removeprefix("Skipped: "))
+
+    def pytest_runtest_logreport(self, report):
+        if report.skipped:
+            self._record_skip(report)
+        elif report.when == "call" and report.passed:
+            self.passed += 1
+
+    def pytest_collectreport(self, report):
+        if report.skipped:
+            self._record_skip(report)
+
+
+def main():
+    if len(sys.argv) < 2 or sys.argv[1] in ("-h", "--help"):
+        print(f"usage: {sys.argv[0]} FILE... (files and options of pytest)\n{__doc__}")
+        return 0 if len(sys.argv) >= 2 else 2
+    try:
+        import pytest
+    except ImportError:
+        print(f"SKIP: the Python package pytest is missing for {sys.executable}")
+        return SKIPPED
+    tally = Tally()
+    code = int(pytest.main(["-q", "-rs", "-p", "no:cacheprovider", *sys.argv[1:]], plugins=[tally]))
+    none_ran = code in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED) and tally.passed == 0
+    if none_ran and tally.skipped:
+        for reason in dict.fromkeys(tally.skipped):
+            print(f"SKIP: {reason}")
+        return SKIPPED
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

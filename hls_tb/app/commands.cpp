@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/errors.hpp"
+#include "app/output_folder.hpp"
+#include "models/fast_model.hpp"
+#include "vectors/vector_files.hpp"
+
+namespace stereo::app {
+namespace {
+
+GrayImage match_clocked(const ImagePair& pair, const Configuration& configuration) {
+   const Stimulus stimulus =
+       make_stimulus(configuration.name, configuration.config, configuration.latency_clocks, pair);
+   const std::vector<GrayImage> frames = collect_frames(configuration.run(stimulus.clocks), configuration.config);
+   if (frames.size() != 1)
+      throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
+   return frames.front();
+}
+
+RowRange parse_rows(const std::string& text) {
+   RowRange rows;
+   const char* const end = text.data() + text.size();
+   const auto first = std::from_chars(text.data(), end, rows.first);
+   if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
+      const auto last = std::from_chars(first.ptr + 1, end, rows.end);
+      if (last.ec == std::errc() && last.ptr == end) return rows;
+   }
+   throw InputError("--rows " + text + ": must be A:B, the first row and the one after the last, such as 10:20");
+}
+
+template <class Content, class Writer>
+std::string text_of(const Content& content, Writer write) {
+   std::ostringstream out;
+   write(out, content);
+   return out.str();
+}
+
+nlohmann::json as_json(const Configuration& entry) {
+   const StereoConfig& config = entry.config;
+   return {{"width_px", config.width_px},
+           {"height_px", config.height_px},
+           {"disparities", config.disparities},
+           {"window_px", config.window_px},
+           {"winner_group", config.winner_group},
+           {"output_width_px", config.output_width_px()},
+           {"output_height_px", config.output_height_px()},
+           {"latency_clocks", entry.latency_clocks}};
+}
+
+}  // namespace
+
+const Configuration& require_configuration(const std::string& name) {
+   const Configuration* const found = find_configuration(name);
+   if (found != nullptr) return *found;
+   std::string known;
+   for (const Configuration& entry : configuration_table()) known += (known.empty() ? "" : ", ") + entry.name;
+   throw InputError("--config " + name + ": there is no such configuration; known are: " + known);
+}
+
+void match(const MatchArguments& arguments) {
+   const Configuration& configuration = require_configuration(arguments.config);
+   const StereoConfig& config = configuration.config;
+   ImagePair pair = load_pair(arguments.left, arguments.right);
+   if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
+      pair = fit_pair(std::move(pair), config.width_px, config.height_px, arguments.fit);
+   else if (pair.left.width != config.width_px || pair.left.height != config.height_px)
+      std::cout << "the images are " << pair.left.width << 'x' << pair.left.height << ", not the " << config.width_px
+                << 'x' << config.height_px << " of " << configuration.name
+                << ": its disparity range and window are applied to the whole images\n";
+   if (pair.left.width <= config.disparities)
+      throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
+                       " pixels wide but must be wider than the " + std::to_string(config.disparities) +
+                       " disparities of " + configuration.name + "; give larger images or another --config");
+
+   const bool fast = arguments.engine == Engine::fast;
+   const auto start = std::chrono::steady_clock::now();
+   const GrayImage map = fast ? match_fast(pair.left, pair.right, {config.disparities, config.window_px})
+                              : match_clocked(pair, configuration);
+   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+
+   OutputFolder out(arguments.out);
+   out.add("disparity.png", encode_png(map));
+   out.add("disparity_color.png", encode_color_png(map, config.disparities));
+   std::cout << pair.left.width << 'x' << pair.left.height << ", " << config.disparities << " disparities, window "
+             << config.window_px << 'x' << config.window_px << " -> " << map.width << 'x' << map.height << ", "
+             << (fast ? "fast model" : "clocked core") << ", " << std::fixed << std::setprecision(2) << time.count()
+             << " ms\n";
+   out.commit();
+}
+
+void scene(const SceneArguments& arguments) {
+   SceneOptions options = arguments.options;
+   if (!arguments.config.empty()) {
+      const StereoConfig& config = require_configuration(arguments.config).config;
+      options.width = config.width_px;
+      options.height = config.height_px;
+      options.disparities = config.disparities;
+   }
+   const Scene made = make_scene(options);
+   OutputFolder out(arguments.out);
+   out.add("left.png", encode_png(made.images.left));
+   out.add("right.png", encode_png(made.images.right));
+   out.add("disparity_right.png", encode_png(made.disparity));
+   out.add("visible_right.png", encode_png(made.visible));
+   out.commit();
+}
+
+void vectors(const VectorsArguments& arguments) {
+   const Configuration& configuration = require_configuration(arguments.config);
+   const StereoConfig& config = configuration.config;
+   StimulusOptions options = arguments.options;
+   if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
+   const ImagePair pair =
+       fit_pair(load_pair(arguments.left, arguments.right), config.width_px, config.height_px, arguments.fit);
+   const Stimulus stimulus = make_stimulus(configuration.name, config, configuration.latency_clocks, pair, options);
+   const Expected expected{configuration.name, configuration.latency_clocks, configuration.run(stimulus.clocks)};
+   OutputFolder out(arguments.out);
+   out.add("stimulus.txt", text_of(stimulus, write_stimulus));
+   out.add("expected.txt", text_of(expected, write_expected));
+   std::cout << stimulus.clocks.size() << " clocks, " << expected.outputs.size() << " outputs\n";
+   out.commit();
+}
+
+void list_configurations(bool as_json_text) {
+   if (as_json_text) {
+      nlohmann::json all;
+      for (const Configuration& entry : configuration_table()) all[entry.name] = as_json(entry);
+      std::cout << all.dump(2) << '\n';
+      return;
+   }
+   for (const Configuration& entry : configuration_table())
+      std::cout << entry.name << ": " << entry.config.width_px << 'x' << entry.config.height_px << ", "
+                << entry.config.disparities << " disparities, window " << entry.config.window_px << 'x'
+                << entry.config.window_px << ", output " << entry.config.output_width_px() << 'x'
+                << entry.config.output_height_px() << ", latency " << entry.latency_clocks << " clocks\n";
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+
+namespace stereo::app {
+
+/// Something the user can mend: exit code 2. The text is one sentence that names the file or option.
+struct InputError : std::runtime_error {
+   using std::runtime_error::runtime_error;
+};
+
+}  // namespace stereo::app

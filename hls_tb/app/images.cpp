@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/images.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "app/errors.hpp"
+
+namespace stereo::app {
+namespace {
+
+/// The image libraries under OpenCV print complaints of their own; ours says it in one sentence.
+class SilentStderr {
+  public:
+   SilentStderr() : saved_(dup(STDERR_FILENO)) {
+      cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+      std::fflush(stderr);
+      const int nowhere = open("/dev/null", O_WRONLY);
+      dup2(nowhere, STDERR_FILENO);
+      close(nowhere);
+   }
+   ~SilentStderr() {
+      std::fflush(stderr);
+      dup2(saved_, STDERR_FILENO);
+      close(saved_);
+   }
+   SilentStderr(const SilentStderr&) = delete;
+   SilentStderr& operator=(const SilentStderr&) = delete;
+
+  private:
+   int saved_;
+};
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string size_text(const GrayImage& image) { return size_text(image.width, image.height); }
+
+/// A view of the pixels, not a copy.
+cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
+
+GrayImage from_mat(const cv::Mat& mat) {
+   GrayImage image(mat.cols, mat.rows);
+   mat.copyTo(as_mat(image));
+   return image;
+}
+
+cv::Mat read_any(const std::string& path) {
+   if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such file");
+   cv::Mat mat;
+   try {
+      const SilentStderr silent;
+      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
+   } catch (const cv::Exception&) {
+      // Reported below, as an empty image.
+   }
+   if (mat.empty()) throw InputError(path + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
+   return mat;
+}
+
+std::string encode(const cv::Mat& mat) {
+   std::vector<uint8_t> bytes;
+   if (!cv::imencode(".png", mat, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
+   return {bytes.begin(), bytes.end()};
+}
+
+GrayImage cropped(const GrayImage& image, int width, int height) {
+   GrayImage result(width, height);
+   const int x = (image.width - width) / 2, y = (image.height - height) / 2;
+   for (int row = 0; row < height; ++row) std::memcpy(result.row(row), image.row(y + row) + x, std::size_t(width));
+   return result;
+}
+
+GrayImage resized(GrayImage image, int width, int height) {
+   cv::Mat result;
+   const bool shrinks = width <= image.width && height <= image.height;
+   cv::resize(as_mat(image), result, {width, height}, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+   return from_mat(result);
+}
+
+}  // namespace
+
+GrayImage load_gray(const std::string& path) {
+   const cv::Mat mat = read_any(path);
+   if (mat.depth() != CV_8U)
+      throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
+                       " bits a channel but must have 8; convert it to an 8-bit image");
+   if (mat.channels() == 1) return from_mat(mat);
+   cv::Mat gray;
+   cv::cvtColor(mat, gray, mat.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+   std::cout << path << ": colour image converted to grey\n";
+   return from_mat(gray);
+}
+
+ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
+   ImagePair pair{load_gray(left_path), load_gray(right_path)};
+   if (!pair.left.same_size(pair.right))
+      throw InputError("the images differ in size: " + left_path + " is " + size_text(pair.left) + ", " + right_path +
+                       " is " + size_text(pair.right) + "; give a rectified pair of one size");
+   return pair;
+}
+
+ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit) {
+   const std::string wanted = size_text(width, height), found = size_text(pair.left);
+   if (pair.left.width == width && pair.left.height == height) return pair;
+   if (fit == Fit::none)
+      throw InputError("the images are " + found + " but the configuration takes " + wanted +
+                       "; give images of that size, or --fit crop or --fit resize");
+   if (fit == Fit::resize) {
+      std::cout << "images resized from " << found << " to " << wanted << '\n';
+      return {resized(std::move(pair.left), width, height), resized(std::move(pair.right), width, height)};
+   }
+   if (pair.left.width < width || pair.left.height < height)
+      throw InputError("--fit crop: the images are " + found + ", too small to cut " + wanted +
+                       " out of them; give larger images or --fit resize");
+   std::cout << "images cropped from " << found << " to the central " << wanted << '\n';
+   return {cropped(pair.left, width, height), cropped(pair.right, width, height)};
+}
+
+std::string encode_png(const GrayImage& image) {
+   GrayImage copy = image;
+   return encode(as_mat(copy));
+}
+
+std::string encode_color_png(const GrayImage& disparity, int disparities) {
+   GrayImage scaled = disparity;
+   for (uint8_t& value : scaled.pixels) value = uint8_t(value * 255 / (disparities - 1));
+   cv::Mat color;
+   cv::applyColorMap(as_mat(scaled), color, cv::COLORMAP_TURBO);
+   return encode(color);
+}
+
+}  // namespace stereo::app

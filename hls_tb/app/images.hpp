@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Image files in and out. The only part of the program that knows OpenCV.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "models/gray_image.hpp"
+
+namespace stereo::app {
+
+/// An 8-bit grey image; a colour image is converted, and stdout says so. Throws InputError.
+GrayImage load_gray(const std::string& path);
+
+/// Two images of the same size. Throws InputError.
+ImagePair load_pair(const std::string& left_path, const std::string& right_path);
+
+enum class Fit { none, crop, resize };
+
+/// The pair at width x height. `none` throws InputError unless it has that size; `crop` takes the centre of a pair that
+/// is large enough; `resize` scales. What was done goes to stdout.
+ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit);
+
+std::string encode_png(const GrayImage& image);
+/// A disparity map in colour, from blue for 0 to red for disparities-1.
+std::string encode_color_png(const GrayImage& disparity, int disparities);
+
+}  // namespace stereo::app

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/output_folder.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+
+#include "app/errors.hpp"
+
+namespace stereo::app {
+
+namespace fs = std::filesystem;
+
+OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+   std::error_code error;
+   fs::create_directories(path_, error);
+   if (!fs::is_directory(path_))
+      throw InputError("--out " + path + ": the folder cannot be created" +
+                       (error ? " (" + error.message() + ")" : "") + "; give one that can be written");
+}
+
+OutputFolder::~OutputFolder() {
+   std::error_code ignored;
+   for (const std::string& name : names_) fs::remove(temporary(name), ignored);
+}
+
+fs::path OutputFolder::temporary(const std::string& name) const {
+   return path_ / ("." + name + ".partial-" + std::to_string(getpid()));
+}
+
+void OutputFolder::add(const std::string& name, const std::string& content) {
+   if (fs::is_directory(path_ / name)) throw InputError((path_ / name).string() + ": is a folder; give another --out");
+   names_.push_back(name);
+   std::ofstream file(temporary(name), std::ios::binary);
+   file << content;
+   file.close();
+   if (!file)
+      throw InputError("--out " + path_.string() + ": " + name + " cannot be written there; check space and rights");
+}
+
+void OutputFolder::commit() {
+   for (const std::string& name : names_) {
+      fs::rename(temporary(name), path_ / name);
+      std::cout << (path_ / name).string() << '\n';
+   }
+   names_.clear();
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The program stereo_hls as its users meet it: files, messages and exit codes. Env STEREO_HLS names the program."""
+
+import json
+import os
+import random
+import subprocess
+
+import pytest
+
+PROGRAM = os.environ.get("STEREO_HLS", "")
+WIDTH, HEIGHT, DISPARITIES = 32, 12, 8  # configuration tiny, checked below
+
+pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def succeed(*arguments):
+    result = run(*arguments)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr == ""
+    return result.stdout
+
+
+def fail(folder, *arguments, says):
+    """Exit code 2, one line on stderr with all of `says` in it, nothing written."""
+    before = sorted(folder.rglob("*"))
+    result = run(*arguments)
+    assert result.returncode == 2, result.stderr
+    assert result.stderr.count("\n") == 1 and result.stderr.startswith("stereo_hls: "), result.stderr
+    for words in says:
+        assert str(words) in result.stderr
+    assert sorted(folder.rglob("*")) == before
+
+
+def write_image(path, width=WIDTH, height=HEIGHT, channels=1, maximum=255, seed=1):
+    """A random PGM or PPM file."""
+    count = width * height * channels * (1 if maximum < 256 else 2)
+    kind = b"P5" if channels == 1 else b"P6"
+    pixels = random.Random(seed).randbytes(count)
+    path.write_bytes(kind + f"\n{width} {height}\n{maximum}\n".encode() + pixels)
+    return path
+
+
+def png_size(path):
+    header = path.read_bytes()[:24]
+    assert header.startswith(b"\x89PNG")
+    return int.from_bytes(header[16:20], "big"), int.from_bytes(header[20:24], "big")
+
+
+@pytest.fixture
+def pair(tmp_path):
+    left, right = write_image(tmp_path / "l.pgm", seed=1), write_image(tmp_path / "r.pgm", seed=2)
+    return ["--left", left, "--right", right]
+
+
+@pytest.fixture
+def match(tmp_path, pair):
+    return ["match", "--config", "tiny", "--out", tmp_path / "out", *pair]
+
+
+def changed(arguments, option, value):
+    arguments = list(arguments)
+    arguments[arguments.index(option) + 1] = value
+    return arguments
+
+
+def test_version():
+    assert succeed("--version").strip().count(".") == 2
+
+
+def test_help_names_the_exit_codes():
+    assert "Exit codes: 0 success; 1 internal failure; 2 wrong usage or input" in succeed("--help")
+
+
+def test_configurations_as_json():
+    table = json.loads(succeed("configurations", "--json"))
+    assert {"ambrosch2007", "tiny"} <= table.keys()
+    assert list(table) == sorted(table)
+    tiny = table["tiny"]
+    assert (tiny["width_px"], tiny["height_px"], tiny["disparities"]) == (WIDTH, HEIGHT, DISPARITIES)
+    keys = {"width_px", "height_px", "disparities", "window_px", "winner_group", "output_width_px", "output_height_px",
+            "latency_clocks"}
+    for values in table.values():
+        assert values.keys() == keys
+        assert values["output_width_px"] == values["width_px"] - values["disparities"]
+
+
+def test_configurations_as_text():
+    assert "tiny: 32x12, 8 disparities" in succeed("configurations")
+
+
+def test_match_engines_agree(tmp_path, match):
+    fast = succeed(*match, "--engine", "fast")
+    clocked = succeed(*changed(match, "--out", tmp_path / "clocked"), "--engine", "clocked")
+    assert "32x12" in fast and "fast model" in fast and " ms" in fast
+    assert "clocked core" in clocked
+    for name in ("disparity.png", "disparity_color.png"):
+        assert png_size(tmp_path / "out" / name) == (WIDTH - DISPARITIES, HEIGHT)
+        assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "clocked" / name).read_bytes()
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["disparity.png", "disparity_color.png"]
+
+
+def test_match_fast_takes_any_size_and_says_so(tmp_path, match):
+    for option, name in (("--left", "big_l.pgm"), ("--right", "big_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, 50, 20))
+    assert "50x20, not the 32x12 of tiny" in succeed(*match)
+    assert png_size(tmp_path / "out" / "disparity.png") == (50 - DISPARITIES, 20)
+
+
+@pytest.mark.parametrize("fit, verb", [("crop", "cropped"), ("resize", "resized")])
+def test_match_fits_images_and_says_so(tmp_path, match, fit, verb):
+    for option, name in (("--left", "big_l.pgm"), ("--right", "big_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, 50, 20))
+    out = succeed(*match, "--engine", "clocked", "--fit", fit)
+    assert f"images {verb} from 50x20 to" in out
+    assert png_size(tmp_path / "out" / "disparity.png") == (WIDTH - DISPARITIES, HEIGHT)
+    fail(tmp_path, *match, "--engine", "clocked", says=["50x20", "32x12", "--fit crop"])
+
+
+def test_crop_takes_the_centre(tmp_path, pair):
+    def pgm(name, value):
+        pixels = bytes(value(x, y) for y in range(HEIGHT + 4) for x in range(WIDTH + 6))
+        path = tmp_path / name
+        path.write_bytes(f"P5\n{WIDTH + 6} {HEIGHT + 4}\n255\n".encode() + pixels)
+        return path
+
+    pair = ["--left", pgm("x.pgm", lambda x, y: x), "--right", pgm("y.pgm", lambda x, y: y)]
+    succeed("vectors", "--config", "tiny", *pair, "--fit", "crop", "--out", tmp_path / "v")
+    lines = (tmp_path / "v" / "stimulus.txt").read_text().splitlines()
+    assert lines[1] == "3 03 02"
+    assert lines[WIDTH * HEIGHT] == f"1 {WIDTH + 2:02x} {HEIGHT + 1:02x}"
+
+
+def test_colour_is_converted_and_said(tmp_path, match):
+    color = write_image(tmp_path / "color.ppm", channels=3)
+    assert f"{color}: colour image converted to grey" in succeed(*changed(match, "--left", color))
+
+
+def test_scene_is_determined_by_its_seed(tmp_path):
+    def scene(name, seed):
+        succeed("scene", "--out", tmp_path / name, "--seed", seed, "--width", 60, "--height", 40, "--disparities", 16)
+        return {p.name: p.read_bytes() for p in (tmp_path / name).iterdir()}
+
+    first = scene("a", 1)
+    assert sorted(first) == ["disparity_right.png", "left.png", "right.png", "visible_right.png"]
+    assert png_size(tmp_path / "a" / "left.png") == (60, 40)
+    assert scene("b", 1) == first
+    assert scene("c", 2)["left.png"] != first["left.png"]
+
+
+def test_scene_fits_a_configuration(tmp_path):
+    succeed("scene", "--out", tmp_path / "s", "--seed", 3, "--config", "tiny")
+    pair = ["--left", tmp_path / "s" / "left.png", "--right", tmp_path / "s" / "right.png"]
+    assert "32x12" in succeed("match", "--config", "tiny", "--engine", "clocked", *pair, "--out", tmp_path / "m")
+
+
+def vectors(tmp_path, pair, *options):
+    succeed("vectors", "--config", "tiny", *pair, "--out", tmp_path / "v", *options)
+    return [(tmp_path / "v" / name).read_text().splitlines() for name in ("stimulus.txt", "expected.txt")]
+
+
+def test_vectors_first_lines_and_counts(tmp_path, pair):
+    stimulus, expected = vectors(tmp_path, pair)
+    latency = json.loads(succeed("configurations", "--json"))["tiny"]["latency_clocks"]
+    clocks = WIDTH * HEIGHT + WIDTH + 1 + latency + 4
+    assert stimulus[0] == f"stereo-hls stimulus 1 config=tiny clocks={clocks}"
+    assert expected[0] == f"stereo-hls expected 1 config=tiny outputs={24 * 12} latency={latency}"
+    assert len(stimulus) == clocks + 1 and len(expected) == 24 * 12 + 1
+    assert stimulus[1].startswith("3 ")
+    assert expected[1].split()[1:4] == ["0", "0", "0"] and expected[1].split()[5] == "1"
+    assert expected[-1].split()[1:4] == ["23", "11", "0"] and expected[-1].split()[5] == "2"
+
+
+def test_vectors_of_rows_frames_and_stalls(tmp_path, pair):
+    stimulus, expected = vectors(tmp_path, pair, "--rows", "2:6")
+    assert sum(line[0] in "13" for line in stimulus[1:]) == WIDTH * 4
+    assert len(expected) - 1 == 24 * 3
+    _, expected = vectors(tmp_path, pair, "--frames", 2, "--stall-percent", 30)
+    assert len(expected) - 1 == 2 * 24 * 12
+    assert expected[-1].split()[3] == "1"
+    assert vectors(tmp_path, pair, "--stall-percent", 30, "--seed", 5) != vectors(
+        tmp_path, pair, "--stall-percent", 30, "--seed", 6)
+
+
+def test_missing_and_unreadable_files(tmp_path, match):
+    fail(tmp_path, *changed(match, "--left", tmp_path / "none.png"), says=[tmp_path / "none.png", "no such file"])
+    text = tmp_path / "text.png"
+    text.write_text("not an image")
+    fail(tmp_path, *changed(match, "--right", text), says=[text, "not an image"])
+    fail(tmp_path, *changed(match, "--right", tmp_path), says=[tmp_path, "not an image"])
+
+
+def test_damaged_png(tmp_path, match):
+    succeed("scene", "--out", tmp_path / "s", "--seed", 1, "--config", "tiny")
+    damaged = tmp_path / "damaged.png"
+    damaged.write_bytes((tmp_path / "s" / "left.png").read_bytes()[:120])
+    fail(tmp_path, *changed(match, "--left", damaged), says=[damaged, "not an image"])
+
+
+def test_sizes_that_differ(tmp_path, match):
+    other = write_image(tmp_path / "other.pgm", WIDTH, HEIGHT + 1)
+    fail(tmp_path, *changed(match, "--right", other), says=["differ in size", other, "32x13", "32x12"])
+
+
+def test_sixteen_bit_images(tmp_path, match):
+    deep = write_image(tmp_path / "deep.pgm", maximum=65535)
+    fail(tmp_path, *changed(match, "--left", deep), says=[deep, "16 bits", "8-bit"])
+
+
+def test_width_not_above_the_disparity_range(tmp_path, match):
+    for option, name in (("--left", "l8.pgm"), ("--right", "r8.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, DISPARITIES, HEIGHT))
+    fail(tmp_path, *match, says=["l8.pgm", "8 pixels wide", "8 disparities"])
+
+
+def test_crop_of_images_too_small(tmp_path, match):
+    for option, name in (("--left", "ls.pgm"), ("--right", "rs.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, WIDTH + 9, HEIGHT - 1))
+    fail(tmp_path, *match, "--fit", "crop", says=["--fit crop", "41x11", "32x12"])
+
+
+def test_unknown_configuration_lists_the_known(tmp_path, match):
+    fail(tmp_path, *changed(match, "--config", "nope"), says=["nope", "ambrosch2007", "tiny"])
+    fail(tmp_path, "scene", "--out", tmp_path / "s", "--seed", 1, "--config", "nope", says=["nope", "tiny"])
+
+
+def test_folder_that_cannot_be_created(tmp_path, match):
+    (tmp_path / "file").write_text("")
+    fail(tmp_path, *changed(match, "--out", tmp_path / "file" / "out"), says=["--out", tmp_path / "file"])
+    fail(tmp_path, *changed(match, "--out", tmp_path / "file"), says=["--out", tmp_path / "file"])
+
+
+def test_file_that_cannot_be_replaced(tmp_path, match):
+    (tmp_path / "out" / "disparity_color.png").mkdir(parents=True)
+    fail(tmp_path, *match, says=["--out", "disparity_color.png"])
+
+
+@pytest.mark.parametrize("arguments, says", [
+    ([], "subcommand"),
+    (["match", "--left", "x"], "--config"),
+    (["configurations", "--frobnicate"], "--frobnicate"),
+    (["scene", "--out", "o", "--seed", "one"], "--seed"),
+    (["scene", "--out", "o", "--seed", "1", "--config", "tiny", "--width", "9"], "--width"),
+    (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
+    (["frobnicate"], "subcommand"),
+])
+def test_wrong_usage(tmp_path, arguments, says):
+    fail(tmp_path, *arguments, says=[says])
+
+
+@pytest.mark.parametrize("option, value", [
+    ("--engine", "slow"), ("--fit", "stretch"), ("--fit", "1")])
+def test_words_that_are_no_choice(tmp_path, match, option, value):
+    fail(tmp_path, *match, option, value, says=[option, value])
+
+
+@pytest.mark.parametrize("option, value", [
+    ("--rows", "4"), ("--rows", "a:b"), ("--rows", "4:"), ("--rows", "4:4"), ("--rows", "4:5"), ("--rows", "0:13"),
+    ("--frames", "0"), ("--stall-percent", "96"), ("--stall-percent", "-1"), ("--seed", "x")])
+def test_vectors_options_out_of_range(tmp_path, pair, option, value):
+    fail(tmp_path, "vectors", "--config", "tiny", *pair, "--out", tmp_path / "v", option, value, says=[value])

@@ -1,0 +1,94 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Drives stereo_core with a stimulus file, one line a clock, and writes down every output with its clock. It judges
+-- nothing: the one checker of all simulators does (scripts/flow/checker.py).
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity tb_stereo_core is
+  generic (
+    stimulus_file  : string;
+    observed_file  : string;
+    progress_clocks : positive := 1000
+  );
+end entity;
+
+architecture sim of tb_stereo_core is
+  signal clock, reset, start_of_frame, valid : std_logic := '0';
+  signal left_pixel, right_pixel, disparity : std_logic_vector(7 downto 0);
+  signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
+begin
+  dut : entity work.stereo_core
+    port map (
+      clock => clock, reset => reset,
+      left_pixel => left_pixel, right_pixel => right_pixel, start_of_frame => start_of_frame, valid => valid,
+      disparity => disparity, disparity_valid => disparity_valid,
+      disparity_start_of_frame => disparity_start_of_frame, disparity_end_of_line => disparity_end_of_line);
+
+  main : process
+    constant half_period : time := 5 ns;
+    file stimulus, observed : text;
+    variable stimulus_line, observed_line, progress_line : line;
+    variable flags : std_logic_vector(3 downto 0);
+    variable left_value, right_value : std_logic_vector(7 downto 0);
+    variable clock_count : natural := 0;
+
+    procedure clock_edge is
+    begin
+      wait for half_period;
+      clock <= '1';
+      wait for half_period;
+      clock <= '0';
+    end procedure;
+
+    -- One line for every clock whose outputs say valid; a valid bit that is neither 0 nor 1 is written down as well.
+    procedure observe is
+    begin
+      if disparity_valid = '0' then
+        return;
+      end if;
+      write(observed_line, clock_count);
+      if disparity_valid /= '1' or is_x(disparity) or is_x(disparity_start_of_frame) or is_x(disparity_end_of_line) then
+        write(observed_line, string'(" X X"));
+      else
+        flags := "00" & disparity_end_of_line & disparity_start_of_frame;
+        write(observed_line, " " & to_string(to_integer(unsigned(disparity))));
+        write(observed_line, " " & to_string(to_integer(unsigned(flags))));
+      end if;
+      writeline(observed, observed_line);
+    end procedure;
+  begin
+    file_open(stimulus, stimulus_file, read_mode);
+    file_open(observed, observed_file, write_mode);
+    readline(stimulus, stimulus_line);  -- format line, checked before the simulation starts
+    left_pixel <= (others => '0');
+    right_pixel <= (others => '0');
+    reset <= '1';
+    clock_edge;
+    clock_edge;
+    reset <= '0';
+    while not endfile(stimulus) loop
+      readline(stimulus, stimulus_line);
+      hread(stimulus_line, flags);
+      hread(stimulus_line, left_value);
+      hread(stimulus_line, right_value);
+      valid <= flags(0);
+      start_of_frame <= flags(1);
+      left_pixel <= left_value;
+      right_pixel <= right_value;
+      wait for 0 ns;
+      observe;
+      clock_edge;
+      clock_count := clock_count + 1;
+      if clock_count mod progress_clocks = 0 then
+        write(progress_line, "progress " & to_string(clock_count));
+        writeline(output, progress_line);
+      end if;
+    end loop;
+    write(observed_line, "end " & to_string(clock_count));
+    writeline(observed, observed_line);
+    file_close(observed);
+    wait;
+  end process;
+end architecture;

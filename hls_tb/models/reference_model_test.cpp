@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiny cases computed by hand, and what cannot be matched.
+#include "models/reference_model.hpp"
+
+#include <stdexcept>
+
+#include "support/map_compare.hpp"
+#include "support/seed.hpp"
+#include "support/test_pairs.hpp"
+
+namespace stereo::test {
+namespace {
+
+GrayImage image(int width, int height, std::vector<uint8_t> pixels) {
+   GrayImage result(width, height);
+   EXPECT_EQ(result.pixels.size(), pixels.size());
+   result.pixels = std::move(pixels);
+   return result;
+}
+
+CostVolume volume(int width, int height, int disparities, std::vector<int> values) {
+   CostVolume result(width, height, disparities);
+   result.values = std::move(values);
+   return result;
+}
+
+// W=4, H=2, D=2: cost columns 0 ... 2, output columns 0 and 1.
+const GrayImage kLeft = image(4, 2, {10, 20, 30, 40, 5, 5, 9, 9});
+const GrayImage kRight = image(4, 2, {20, 30, 30, 99, 5, 9, 5, 99});
+
+TEST(ReferenceModel, CostsByHand) {
+   EXPECT_TRUE(same_volume(volume(3, 2, 2, {10, 0, 10, 0, 0, 10, 0, 0, 4, 0, 4, 4}), pixel_costs(kLeft, kRight, {2})));
+}
+
+TEST(ReferenceModel, ColumnSumsByHand) {
+   const CostVolume costs = pixel_costs(kLeft, kRight, {2});
+   EXPECT_TRUE(same_volume(volume(3, 2, 2, {10, 0, 14, 0, 4, 14, 10, 0, 14, 0, 4, 14}), column_sums(costs, 3)));
+   EXPECT_TRUE(same_volume(costs, column_sums(costs, 1)));
+}
+
+TEST(ReferenceModel, WindowSumsByHand) {
+   const CostVolume costs = pixel_costs(kLeft, kRight, {2});
+   EXPECT_TRUE(same_volume(volume(2, 2, 2, {24, 0, 28, 14, 24, 0, 28, 14}), window_sums(costs, 3)));
+   EXPECT_TRUE(same_volume(volume(2, 2, 2, {10, 0, 10, 0, 0, 0, 4, 0}), window_sums(costs, 1)));
+}
+
+TEST(ReferenceModel, MapByHand) {
+   EXPECT_TRUE(same_map(image(2, 2, {1, 1, 1, 1}), match_reference(kLeft, kRight, {2, 3})));
+   EXPECT_TRUE(same_map(image(2, 2, {1, 1, 0, 1}), match_reference(kLeft, kRight, {2, 1}))) << "a tie goes to 0";
+}
+
+TEST(ReferenceModel, OneRow) {
+   const GrayImage left = image(5, 1, {1, 2, 3, 4, 5}), right = image(5, 1, {3, 4, 5, 0, 0});
+   EXPECT_TRUE(same_map(image(2, 1, {2, 2}), match_reference(left, right, {3, 3})));
+}
+
+TEST(ReferenceModel, OneColumnOfOutputAndOneDisparity) {
+   EXPECT_TRUE(same_map(GrayImage(1, 7, 0), match_reference(GrayImage(2, 7, 50), GrayImage(2, 7, 60), {1, 3})));
+}
+
+TEST(ReferenceModel, FindsAKnownShift) {
+   const ImagePair pair = shifted_pair(60, 9, 11, test_seed());
+   EXPECT_TRUE(same_map(GrayImage(40, 9, 11), match_reference(pair.left, pair.right, {20, 3})));
+}
+
+void expect_rejected(const GrayImage& left, const GrayImage& right, MatchingParameters parameters,
+                     const std::string& reason) {
+   try {
+      match_reference(left, right, parameters);
+      ADD_FAILURE() << "accepted: " << reason;
+   } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+   }
+}
+
+TEST(ReferenceModel, RejectsWhatCannotBeMatched) {
+   const GrayImage good(20, 10);
+   expect_rejected(GrayImage(1, 1), GrayImage(1, 1), {1, 3}, "wider than the disparity range 1");
+   expect_rejected(GrayImage(1, 9), GrayImage(1, 9), {2, 3}, "wider than the disparity range 2");
+   expect_rejected(GrayImage(20, 1), GrayImage(20, 1), {20, 3}, "wider than the disparity range 20");
+   expect_rejected(GrayImage(), GrayImage(), {2, 3}, "no pixels");
+   expect_rejected(GrayImage(20, 0), GrayImage(20, 0), {2, 3}, "no pixels");
+   expect_rejected(good, GrayImage(20, 11), {5, 3}, "left is 20x10, right is 20x11");
+   expect_rejected(good, GrayImage(19, 10), {5, 3}, "differ in size");
+   expect_rejected(good, good, {5, 4}, "window side is 4");
+   expect_rejected(good, good, {5, -1}, "window side is -1");
+   expect_rejected(good, good, {0, 3}, "disparity range is 0");
+   expect_rejected(GrayImage(300, 2), GrayImage(300, 2), {257, 3}, "disparity range is 257");
+}
+
+}  // namespace
+}  // namespace stereo::test

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""cmake/run_pytest.py: what ctest is told of each way in which a file of tests can end."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(os.environ.get("STEREO_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
+PASSES = "def test_passes():\n    pass\n"
+FAILS = "def test_fails():\n    assert False\n"
+SKIPS = "import pytest\ndef test_skips():\n    pytest.skip('ghdl is missing')\n"
+SKIPS_WHOLE = "import pytest\npytest.skip('ghdl is missing', allow_module_level=True)\n"
+
+
+@pytest.mark.parametrize("text, code, skip_shown", [
+    (PASSES, 0, False),
+    (FAILS, 1, False),
+    (SKIPS, 77, True),
+    (SKIPS_WHOLE, 77, True),
+    (SKIPS + PASSES, 0, False),
+    (SKIPS + FAILS, 1, False),
+    ("", 5, False),
+    ("syntax error", 2, False),
+])
+def test_exit_code(tmp_path, text, code, skip_shown):
+    file = tmp_path / "case_test.py"
+    file.write_text(text)
+    command = [sys.executable, ROOT / "cmake" / "run_pytest.py", file]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert result.returncode == code, result.stdout + result.stderr
+    assert ("SKIP: ghdl is missing" in result.stdout) == skip_shown

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a configuration's name at run time to its core.
+#pragma once
+
+#include "vectors/stimulus.hpp"
+
+namespace stereo {
+
+struct Configuration {
+   std::string name;
+   StereoConfig config;
+   int latency_clocks;
+   std::vector<CoreOutput> (*run)(const std::vector<StereoInput>& clocks);  ///< run_core of this configuration
+};
+
+/// All named configurations, sorted by name.
+const std::vector<Configuration>& configuration_table();
+
+/// nullptr when there is none of that name.
+const Configuration* find_configuration(const std::string& name);
+
+}  // namespace stereo

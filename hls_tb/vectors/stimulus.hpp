@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes into a core and what comes out of it, clock by clock.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/gray_image.hpp"
+#include "models/random.hpp"
+#include "stereo_config.hpp"
+#include "stream.hpp"
+
+namespace stereo {
+
+/// The inputs of a core, one record a clock.
+struct Stimulus {
+   std::string config;  ///< the configuration's name
+   std::vector<StereoInput> clocks;
+};
+
+/// A valid output of a core.
+struct CoreOutput {
+   uint64_t clock = 0;  ///< 0-based index of the clock() call that returned it
+   int x = -1, y = -1;  ///< by start of frame and ends of lines, not by the clock
+   int frame = -1;      ///< from 0; -1 before the first start of frame
+   uint8_t disparity = 0;
+   bool start_of_frame = false;
+   bool end_of_line = false;
+
+   bool operator==(const CoreOutput&) const = default;
+};
+
+struct Expected {
+   std::string config;
+   int latency_clocks = 0;
+   std::vector<CoreOutput> outputs;
+};
+
+/// Image rows first ... end-1.
+struct RowRange {
+   int first = 0;
+   int end = 0;
+};
+
+struct StimulusOptions {
+   int frames = 1;  ///< back to back; odd ones show the pair upside down, so that frames differ
+   std::optional<RowRange> rows = std::nullopt;  ///< send only these rows of each frame, as if the first were the top
+   int stall_percent = 0;                        ///< chance of a bubble before each clock, 0 ... 95
+   uint64_t seed = 1;                            ///< of the bubbles, of their garbage and of the flush rows
+};
+
+/// Puts pixel pairs and bubbles in a row. Bubbles carry garbage.
+class StimulusWriter {
+  public:
+   StimulusWriter(int stall_percent, uint64_t seed) : stall_percent_(stall_percent), random_(seed) {}
+
+   /// Random bubbles, then the pair.
+   void pair(uint8_t left, uint8_t right, bool start_of_frame);
+   /// These rows of the images as the top of a frame; upside down: row y is the y-th from below.
+   void rows(const ImagePair& images, RowRange range, bool upside_down = false);
+   void random_pairs(int count);
+   void bubbles(int count);
+   /// The r*W + r random pairs that bring out the last rows of a frame.
+   void flush(const StereoConfig& config) { random_pairs(config.radius_px() * (config.width_px + 1)); }
+   /// Enough bubbles to empty the pipeline.
+   void drain(int latency_clocks) { bubbles(latency_clocks + 4); }
+
+   std::vector<StereoInput> clocks;
+
+  private:
+   int stall_percent_;
+   Random random_;
+};
+
+/// Whole frames are followed by a flush, parts of frames by bubbles only: they lack the rows that end a frame.
+/// Throws std::invalid_argument with one sentence when the options or the images do not fit the configuration.
+Stimulus make_stimulus(const std::string& config_name, const StereoConfig& config, int latency_clocks,
+                       const ImagePair& pair, const StimulusOptions& options = {});
+
+/// Gives the outputs of a core their places, in the order in which they come.
+class OutputLocator {
+  public:
+   CoreOutput locate(uint64_t clock, const StereoOutput& output);
+
+  private:
+   CoreOutput last_;
+};
+
+/// One disparity map a frame. Throws std::runtime_error unless every frame has each pixel exactly once, in raster
+/// order.
+std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, const StereoConfig& config);
+
+}  // namespace stereo

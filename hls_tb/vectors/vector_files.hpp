@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Test vectors as text files, for test benches in any language.
+//
+// stimulus.txt: a first line "stereo-hls stimulus 1 config=<name> clocks=<N>", then N lines "F LL RR", one a clock:
+//   F   one hex digit: bit 0 valid, bit 1 start of frame
+//   LL  left pixel, RR right pixel: two lower-case hex digits each
+// expected.txt: a first line "stereo-hls expected 1 config=<name> outputs=<N> latency=<clocks>", then N lines
+//   "clock x y frame disparity flags" in decimal, one a valid output: the members of CoreOutput; flags: bit 0 start of
+//   frame, bit 1 end of line.
+#pragma once
+
+#include <iosfwd>
+
+#include "vectors/stimulus.hpp"
+
+namespace stereo {
+
+void write_stimulus(std::ostream& out, const Stimulus& stimulus);
+void write_expected(std::ostream& out, const Expected& expected);
+
+/// Throw std::runtime_error "<name>:<line>: <what is wrong>" on anything but exactly that format.
+Stimulus read_stimulus(std::istream& in, const std::string& name);
+Expected read_expected(std::istream& in, const std::string& name);
+
+/// The same from a file.
+Stimulus read_stimulus_file(const std::string& path);
+Expected read_expected_file(const std::string& path);
+
+}  // namespace stereo

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vectors/vector_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "support/seed.hpp"
+
+namespace stereo::test {
+namespace {
+
+const std::string kStimulus = "stereo-hls stimulus 1 config=tiny clocks=3\n3 0a ff\n0 00 10\n1 7f 80\n";
+const std::string kExpected = "stereo-hls expected 1 config=tiny outputs=2 latency=10\n50 0 0 0 255 1\n51 1 0 0 7 2\n";
+
+Stimulus stimulus_of(const std::string& text) {
+   std::istringstream in(text);
+   return read_stimulus(in, "stimulus.txt");
+}
+
+Expected expected_of(const std::string& text) {
+   std::istringstream in(text);
+   return read_expected(in, "expected.txt");
+}
+
+TEST(VectorFiles, ReadsAStimulus) {
+   const Stimulus stimulus = stimulus_of(kStimulus);
+   EXPECT_EQ(stimulus.config, "tiny");
+   ASSERT_EQ(stimulus.clocks.size(), 3u);
+   EXPECT_EQ(stimulus.clocks[0].left, 0x0a);
+   EXPECT_EQ(stimulus.clocks[0].right, 0xff);
+   EXPECT_TRUE(stimulus.clocks[0].valid && stimulus.clocks[0].start_of_frame);
+   EXPECT_FALSE(stimulus.clocks[1].valid || stimulus.clocks[1].start_of_frame);
+   EXPECT_TRUE(stimulus.clocks[2].valid && !stimulus.clocks[2].start_of_frame);
+}
+
+TEST(VectorFiles, ReadsExpectedOutputs) {
+   const Expected expected = expected_of(kExpected);
+   EXPECT_EQ(expected.config, "tiny");
+   EXPECT_EQ(expected.latency_clocks, 10);
+   ASSERT_EQ(expected.outputs.size(), 2u);
+   const CoreOutput first{.clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = 255, .start_of_frame = true};
+   EXPECT_EQ(expected.outputs[0], first);
+   const CoreOutput second{.clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = 7, .end_of_line = true};
+   EXPECT_EQ(expected.outputs[1], second);
+}
+
+TEST(VectorFiles, WritesWhatItReads) {
+   std::ostringstream stimulus, expected;
+   write_stimulus(stimulus, stimulus_of(kStimulus));
+   write_expected(expected, expected_of(kExpected));
+   EXPECT_EQ(stimulus.str(), kStimulus);
+   EXPECT_EQ(expected.str(), kExpected);
+}
+
+TEST(VectorFiles, RoundTripOfRandomClocks) {
+   StimulusWriter writer(50, test_seed());
+   writer.random_pairs(1000);
+   std::ostringstream first, second;
+   write_stimulus(first, {"name", writer.clocks});
+   write_stimulus(second, stimulus_of(first.str()));
+   EXPECT_EQ(first.str(), second.str());
+}
+
+struct Damage {
+   std::string name, text, complaint;
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+   return text.replace(text.find(from), from.size(), to);
+}
+
+template <class Read>
+void expect_refused(const std::vector<Damage>& damages, Read read) {
+   for (const Damage& damage : damages) try {
+         read(damage.text);
+         ADD_FAILURE() << "accepted: " << damage.name;
+      } catch (const std::runtime_error& error) {
+         EXPECT_EQ(std::string(error.what()).find(damage.complaint), 0u) << damage.name << ": " << error.what();
+      }
+}
+
+TEST(VectorFiles, RefusesDamagedStimuli) {
+   expect_refused(
+       {{"empty", "", "stimulus.txt:1: the file ends"},
+        {"other format", kExpected, "stimulus.txt:1: the first line must begin with"},
+        {"other version", replaced(kStimulus, "1 config", "2 config"), "stimulus.txt:1: the first line must"},
+        {"no count", replaced(kStimulus, " clocks=3", ""), "stimulus.txt:1: "},
+        {"count is no number", replaced(kStimulus, "=3", "=3x"), "stimulus.txt:1: \"3x\" is not a number"},
+        {"more in the first line", replaced(kStimulus, "=3", "=3 a=b"), "stimulus.txt:1: the first line goes on"},
+        {"count too large", replaced(kStimulus, "=3", "=4"), "stimulus.txt:5: the file ends where clock 3 of 4"},
+        {"count too small", replaced(kStimulus, "=3", "=2"), "stimulus.txt:4: more lines"},
+        {"truncated line", kStimulus.substr(0, kStimulus.size() - 2), "stimulus.txt:4: \"1 7f 8\" is not of"},
+        {"bad digit", replaced(kStimulus, "ff", "fg"), "stimulus.txt:2: "},
+        {"upper-case digit", replaced(kStimulus, "ff", "FF"), "stimulus.txt:2: "},
+        {"flags beyond 3", replaced(kStimulus, "\n0 00", "\n4 00"), "stimulus.txt:3: "},
+        {"no blank", replaced(kStimulus, "0 00 10", "0x00x10"), "stimulus.txt:3: "},
+        {"empty line", replaced(kStimulus, "0 00 10", ""), "stimulus.txt:3: "}},
+       stimulus_of);
+}
+
+TEST(VectorFiles, RefusesDamagedExpectedOutputs) {
+   expect_refused(
+       {{"empty", "", "expected.txt:1: the file ends"},
+        {"other format", kStimulus, "expected.txt:1: the first line must begin with"},
+        {"no latency", replaced(kExpected, " latency=10", ""), "expected.txt:1: "},
+        {"count too large", replaced(kExpected, "=2", "=3"), "expected.txt:4: the file ends where output 2 of 3"},
+        {"count too small", replaced(kExpected, "=2", "=1"), "expected.txt:3: more lines"},
+        {"negative count", replaced(kExpected, "=2", "=-2"), "expected.txt:1: "},
+        {"a number less", replaced(kExpected, "50 0", "50"), "expected.txt:2: "},
+        {"a number more", replaced(kExpected, "50 0", "50 0 0"), "expected.txt:2: "},
+        {"disparity beyond 8 bits", replaced(kExpected, "255", "256"), "expected.txt:2: \"256\" is not a number"},
+        {"flags beyond 3", replaced(kExpected, "7 2", "7 4"), "expected.txt:3: flags are 4"},
+        {"a letter", replaced(kExpected, "51", "5a"), "expected.txt:3: \"5a\" is not a number"}},
+       expected_of);
+}
+
+TEST(VectorFiles, NamesTheFileThatCannotBeRead) {
+   EXPECT_THROW(read_stimulus_file("no/such/stimulus.txt"), std::runtime_error);
+   EXPECT_THROW(read_expected_file("no/such/expected.txt"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace stereo::test

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How every command of this project ends."""
+
+import argparse
+import sys
+
+EXIT_OK = 0
+EXIT_MISMATCH = 1  # the job ran, and its answer is no: outputs differ, or the VHDL is stale
+EXIT_USAGE = 2  # wrong options or unusable input
+EXIT_MISSING_TOOL = 3  # a program this step needs is not installed
+EXIT_TOOL_FAILED = 4  # a tool crashed, hung, or gave something this flow does not understand
+
+EXIT_CODES_HELP = "exit codes: 0 done, 1 the result differs, 2 bad usage or input, 3 missing tool, 4 a tool failed"
+
+
+class FlowError(Exception):
+    """One sentence for the user and the exit code that goes with it."""
+
+    def __init__(self, message, exit_code=EXIT_USAGE):
+        super().__init__(message)
+        self.exit_code = exit_code
+
+
+class ArgumentParser(argparse.ArgumentParser):
+    """argparse that says one sentence on stderr instead of the whole usage."""
+
+    def __init__(self, **options):
+        options.setdefault("epilog", EXIT_CODES_HELP)
+        super().__init__(**options)
+
+    def error(self, message):
+        raise FlowError(f"{message} (see {self.prog} --help)")
+
+
+def run_command(main):
+    """Runs a command's main function and turns FlowError into one line on stderr and the exit code."""
+    program = sys.argv[0].rsplit("/", 1)[-1]
+    try:
+        sys.exit(main())
+    except FlowError as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        sys.exit(error.exit_code)
+    except KeyboardInterrupt:
+        print(f"{program}: interrupted", file=sys.stderr)
+        sys.exit(130)

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Makes generated_rtl/NAME/ from the C++: Bambu, lowering, naming, VHDL, manifest."""
+
+import shutil
+import tempfile
+from pathlib import Path
+
+from . import bambu, manifest
+from .rtl.lowering import lower
+from .rtl.naming import name_registers, read_trace
+from .rtl.vhdl_reader import read_design
+from .rtl.vhdl_writer import VhdlWriter
+from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
+
+TRACE_CLOCKS_PER_ROW = 4  # rows that the naming trace covers, so that border rules show
+
+
+def header(config, parameters, tool_run):
+    size = f"{parameters['width_px']}x{parameters['height_px']}, {parameters['disparities']} disparities, {parameters['window_px']}x{parameters['window_px']} window"
+    return "\n".join([
+        "-- SPDX-License-Identifier: Apache-2.0",
+        f"-- Stereo block-matching core, configuration {config}: {size}.",
+        f"-- Made from hls/stereo_top.cpp by {tool_run.version} and scripts/synthesize.py. Do not edit:",
+        f"--   scripts/synthesize.py --config {config}",
+        "-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.",
+    ])
+
+
+def netlist_of(config, parameters, tool_run, directory):
+    """The design of a Bambu run, lowered, checked against the C++ core and named after it."""
+    netlist = lower(read_design(tool_run.vhdl))
+    trace_file = Path(directory) / "trace.txt"
+    clocks = TRACE_CLOCKS_PER_ROW * parameters["width_px"]
+    run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", trace_file], passes_errors=True)
+    named = name_registers(netlist, read_trace(trace_file))
+    return netlist, named
+
+
+def generate(config, say=print, out=None):
+    """Writes the folder of one configuration, all of it or nothing. Returns its manifest."""
+    parameters = configuration(config)
+    work = ROOT / "build" / "synthesis" / config
+    say(f"{config}: Bambu ...")
+    tool_run = bambu.synthesize(config, work)
+    say(f"{config}: lowering ...")
+    netlist, named = netlist_of(config, parameters, tool_run, work)
+    files = {
+        "line_memory.vhd": (ROOT / "hls" / "rtl" / "line_memory.vhd").read_text(),
+        "stereo_core.vhd": VhdlWriter(netlist, header(config, parameters, tool_run)).write(),
+    }
+    report = dict(tool_run.report, registers=len(netlist.registers), registers_named=named,
+                  memory_bits=sum(m.depth * m.width for m in netlist.memories))
+    target = Path(out) if out else GENERATED_RTL / config
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=target.parent) as temporary:
+        for name, text in files.items():
+            (Path(temporary) / name).write_text(text)
+        result = {
+            "format": manifest.FORMAT,
+            "configuration": config,
+            "parameters": parameters,
+            "sources": manifest.source_digests(),
+            "files": {name: manifest.digest(Path(temporary) / name) for name in files},
+            "tool": tool_run.version,
+            "command": tool_run.command,
+            "tool_report": report,
+        }
+        manifest.write(temporary, result)
+        target.mkdir(exist_ok=True)
+        for name in [*files, "manifest.json"]:
+            shutil.move(Path(temporary) / name, target / name)
+    return result

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""generated_rtl/NAME/manifest.json: what the committed VHDL was made from, so that anyone can tell whether it still fits."""
+
+import hashlib
+import json
+from pathlib import Path
+
+from .errors import FlowError
+from .tools import GENERATED_RTL, ROOT
+
+FORMAT = "stereo-hls manifest 1"
+KEYS = ("format", "configuration", "parameters", "sources", "files", "tool", "command", "tool_report")
+
+
+def digest(path):
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
+def hardware_sources():
+    """Every file that decides what the VHDL looks like: the C++ of the core and the steps that write the VHDL.
+
+    The table of configurations is left out: the manifest holds the one row that counts, so that a new configuration does
+    not make the others stale.
+    """
+    hardware = [path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp"]
+    writer = sorted((ROOT / "scripts" / "flow" / "rtl").glob("*.py"))
+    return hardware + writer
+
+
+def source_digests():
+    return {path.relative_to(ROOT).as_posix(): digest(path) for path in hardware_sources()}
+
+
+def write(directory, manifest):
+    (Path(directory) / "manifest.json").write_text(json.dumps(manifest, indent=2, sort_keys=True) + "\n")
+
+
+def read(directory):
+    """The manifest of one generated_rtl/ folder, checked for its keys."""
+    path = Path(directory) / "manifest.json"
+    name = Path(directory).name
+    try:
+        manifest = json.loads(path.read_text())
+    except OSError:
+        raise FlowError(f"no generated VHDL for '{name}': {path} is missing; run scripts/synthesize.py --config {name}") from None
+    except ValueError as error:
+        raise FlowError(f"damaged manifest {path}: {error}") from None
+    missing = [key for key in KEYS if not isinstance(manifest, dict) or key not in manifest]
+    if missing or manifest["format"] != FORMAT:
+        what = f"no {', '.join(missing)}" if missing else f"format '{manifest['format']}' instead of '{FORMAT}'"
+        raise FlowError(f"damaged manifest {path}: {what}")
+    return manifest
+
+
+def vhdl_files(directory):
+    """The VHDL of one folder in compile order, each checked against its digest."""
+    directory = Path(directory)
+    paths = []
+    for name, expected in read(directory)["files"].items():
+        path = directory / name
+        if not path.is_file():
+            raise FlowError(f"{path} is named by the manifest but missing")
+        if digest(path) != expected:
+            raise FlowError(f"{path} differs from its manifest; it was edited by hand, or the manifest is damaged")
+        paths.append(path)
+    if not paths:
+        raise FlowError(f"damaged manifest {directory / 'manifest.json'}: it names no VHDL file")
+    return paths
+
+
+def stale_reasons(name, parameters):
+    """Why the committed VHDL of a configuration no longer follows from the sources; empty when it does."""
+    manifest = read(GENERATED_RTL / name)
+    reasons = []
+    if manifest["parameters"] != parameters:
+        reasons.append("its row in hls/configurations.hpp changed")
+    now = source_digests()
+    for path in sorted(set(now) | set(manifest["sources"])):
+        if now.get(path) != manifest["sources"].get(path):
+            reasons.append(f"{path} {'changed' if path in now and path in manifest['sources'] else 'is new' if path in now else 'is gone'}")
+    return reasons

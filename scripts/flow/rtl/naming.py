@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gives the registers of the netlist the names they have in C++.
+
+The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register is
+recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls registers` traced the core. The
+same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
+"""
+
+from pathlib import Path
+
+from ..errors import EXIT_TOOL_FAILED, FlowError
+from .evaluate import compile_step, initial_state
+from .netlist import bit_not, leaf, merge_twins
+
+
+def read_trace(path):
+    """{name: values}, one value a clock, of the inputs, outputs and registers of the C++ core.
+
+    File: "stereo-hls trace 1 config=NAME clocks=N", a line of names, then N lines of hexadecimal values.
+    """
+    lines = Path(path).read_text().splitlines()
+    if len(lines) < 3 or not lines[0].startswith("stereo-hls trace 1 ") or f"clocks={len(lines) - 2}" not in lines[0].split():
+        raise FlowError(f"{path}: not a complete 'trace' file of format 1")
+    rows = [[int(value, 16) for value in line.split()] for line in lines[2:]]
+    return dict(zip(lines[1].split(), zip(*rows)))
+
+
+def trace_netlist(netlist, trace):
+    """Values of each register of the netlist, in the same clocks; checks the outputs against the trace."""
+    step = compile_step(netlist)
+    registers, memories = initial_state(netlist)
+    history = []
+    for clock in range(len(trace["in_valid"])):
+        history.append(tuple(registers))
+        outputs = step({name: trace[f"in_{name}"][clock] for name in netlist.inputs}, registers, memories)
+        for name, value in outputs.items():
+            if value != trace[f"out_{name}"][clock] and (name != "disparity" or trace["out_disparity_valid"][clock]):
+                raise FlowError(
+                    f"the lowered netlist differs from the C++ core: clock {clock}, {name}: expected "
+                    f"{trace[f'out_{name}'][clock]}, got {value}", EXIT_TOOL_FAILED
+                )
+    return list(zip(*history))
+
+
+def _invert_complements(netlist, trace, by_values):
+    """Where the tool keeps the complement of a C++ bit, keeps the bit instead."""
+    replacement = {}
+    for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
+        complement = tuple(1 - v for v in values) if register.value.is_bit else None
+        if values not in by_values and complement in by_values:
+            old = register.value
+            register.value, register.initial = leaf("register", f"{register.name}_inverted", 1), 1 - register.initial
+            register.next = bit_not(register.next)
+            replacement[id(old)] = bit_not(register.value)
+    netlist.substitute(replacement)
+    merge_twins(netlist)
+
+
+def name_registers(netlist, trace):
+    """Renames and orders the registers after the C++ core. Returns how many found their name."""
+    by_values = {}
+    order = {}
+    for name, values in trace.items():
+        if not name.startswith(("in_", "out_")):
+            order[name] = len(order)
+            by_values.setdefault(values, []).append(name)
+    _invert_complements(netlist, trace, by_values)
+    named = 0
+    for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
+        candidates = by_values.get(values, [])
+        register.name = candidates.pop(0) if candidates else ""
+        named += register.name != ""
+    for number, register in enumerate(r for r in netlist.registers if not r.name):
+        register.name = f"other_{number}"
+        order[register.name] = len(order)
+    netlist.registers.sort(key=lambda r: order[r.name])
+    for memory in netlist.memories:
+        address = next(r for r in netlist.registers if r.value is memory.write_address)
+        memory.name = f"{address.name.split('_')[0]}_memory"
+    return named

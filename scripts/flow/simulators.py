@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The two ways to run the generated VHDL. Both read a stimulus file and write an observed file (see vectors.py)."""
+
+import hashlib
+import os
+import shutil
+from pathlib import Path
+
+from .errors import FlowError
+from .tools import ROOT, find_ghdl, find_verilator, run, run_with_progress
+
+BENCH = ROOT / "hls_tb" / "cosim"
+GHDL_STANDARD = "--std=08"
+
+
+class Simulator:
+    """Builds a simulation of some VHDL files once, then runs it any number of times."""
+
+    name = ""
+    wave_suffixes = ()
+
+    def __init__(self, vhdl_files, work_directory, trace=False):
+        self.vhdl_files = [Path(path) for path in vhdl_files]
+        self.work = Path(work_directory)
+        self.trace = trace
+
+    def _bench_files(self):
+        raise NotImplementedError
+
+    def _build(self):
+        raise NotImplementedError
+
+    def build(self):
+        """Does nothing when the same sources were built here before."""
+        key = hashlib.sha256(repr(self.trace).encode())
+        for path in [*self.vhdl_files, *self._bench_files(), Path(__file__)]:
+            key.update(path.read_bytes())
+        stamp = self.work / "built"
+        if stamp.is_file() and stamp.read_text() == key.hexdigest():
+            return
+        shutil.rmtree(self.work, ignore_errors=True)
+        self.work.mkdir(parents=True)
+        self._build()
+        stamp.write_text(key.hexdigest())
+
+    def _command(self, stimulus, observed, wave, wave_clocks):
+        raise NotImplementedError
+
+    def run(self, stimulus, observed, on_clock, watchdog_seconds, wave=None, wave_clocks=(0, 0)):
+        """Simulates the whole stimulus; returns the seconds it took. `wave_clocks`: first and last clock to dump."""
+        Path(observed).unlink(missing_ok=True)
+        command = self._command(Path(stimulus).resolve(), Path(observed).resolve(), wave, wave_clocks)
+
+        def on_line(line):
+            if line.startswith("progress "):
+                on_clock(int(line.split()[1]))
+
+        return run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
+
+
+class Ghdl(Simulator):
+    """The judge: a VHDL simulator on the VHDL as it is."""
+
+    name = "ghdl"
+    wave_suffixes = (".ghw", ".fst", ".vcd")
+
+    def _bench_files(self):
+        return [BENCH / "tb_stereo_core.vhd"]
+
+    def _build(self):
+        ghdl = find_ghdl()
+        run([ghdl, "-a", GHDL_STANDARD, *self.vhdl_files, *self._bench_files()], cwd=self.work, log=self.work / "analyse.log")
+        run([ghdl, "-e", GHDL_STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
+
+    def _command(self, stimulus, observed, wave, wave_clocks):
+        command = [find_ghdl(), "-r", GHDL_STANDARD, "tb_stereo_core", f"-gstimulus_file={stimulus}", f"-gobserved_file={observed}"]
+        if wave is not None:
+            # GHDL always dumps from the start; the end is bounded by the stop time (10 ns a clock, 2 clocks of reset).
+            option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]
+            command += [f"{option}={wave}", f"--stop-time={(wave_clocks[1] + 3) * 10}ns"]
+        return command
+
+
+class Verilator(Simulator):
+    """The same VHDL through `ghdl --synth`, for whole frames."""
+
+    name = "verilator"
+    wave_suffixes = (".fst",)
+
+    def _bench_files(self):
+        return [BENCH / "verilator_bench.cpp"]
+
+    def _build(self):
+        verilator = find_verilator()
+        verilog = self.work / "stereo_core.v"
+        verilog.write_text(to_verilog(self.vhdl_files, self.work))
+        trace = ["--trace-fst"] if self.trace else []
+        run(
+            [verilator, "--cc", "--exe", "--build", "-j", os.cpu_count() or 1, "-O3", "--x-assign", "fast", "--output-split",
+             "20000", "-Wno-fatal", *trace, "-CFLAGS", "-O2", "--top-module", "stereo_core", "--Mdir", self.work / "model",
+             "-o", "bench", verilog, *self._bench_files()],
+            cwd=self.work, log=self.work / "verilator.log",
+        )
+
+    def _command(self, stimulus, observed, wave, wave_clocks):
+        command = [self.work / "model" / "bench", stimulus, observed]
+        if wave is not None:
+            command += [wave, *wave_clocks]
+        return command
+
+
+SIMULATORS = {simulator.name: simulator for simulator in (Ghdl, Verilator)}
+
+
+def to_verilog(vhdl_files, work_directory):
+    """The design as Verilog text, by `ghdl --synth`."""
+    ghdl = find_ghdl()
+    folder = Path(work_directory) / "synth"
+    folder.mkdir(parents=True, exist_ok=True)
+    run([ghdl, "-a", GHDL_STANDARD, *vhdl_files], cwd=folder, log=folder / "analyse.log")
+    verilog = run([ghdl, "--synth", GHDL_STANDARD, "--out=verilog", "stereo_core"], cwd=folder)
+    if "module stereo_core" not in verilog:
+        raise FlowError("ghdl --synth did not write a module stereo_core", 4)
+    return verilog

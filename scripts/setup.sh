@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs the Debian packages that are missing, then builds the native program. Does nothing that is done already.
+#   scripts/setup.sh [--packages-only]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(
+   g++ cmake ninja-build                                     # native build
+   libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
+   ghdl-mcode verilator yosys                                # co-simulation and area
+   python3 python3-rich python3-jinja2 python3-pytest        # the flow and its tests
+)
+
+case "${1:-}" in
+   "" | --packages-only) ;;
+   --help | -h)
+      sed -n '3,4s/^# //p' "$0"
+      exit 0
+      ;;
+   *)
+      echo "setup.sh: unknown option '$1' (see setup.sh --help)" >&2
+      exit 2
+      ;;
+esac
+
+missing=()
+for package in "${packages[@]}"; do
+   status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+   [ "$status" = "install ok installed" ] || missing+=("$package")
+done
+
+if [ "${#missing[@]}" -gt 0 ]; then
+   if ! command -v apt-get >/dev/null; then
+      echo "setup.sh: this system has no apt-get; install the equivalents of: ${missing[*]}" >&2
+      exit 3
+   fi
+   as_root=()
+   if [ "$(id -u)" -ne 0 ]; then
+      command -v sudo >/dev/null || {
+         echo "setup.sh: installing ${missing[*]} needs root; run as root or install sudo" >&2
+         exit 3
+      }
+      as_root=(sudo)
+   fi
+   echo "Installing: ${missing[*]}"
+   "${as_root[@]}" apt-get update -qq
+   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fi
+
+[ "${1:-}" = --packages-only ] && exit 0
+preset=${STEREO_PRESET:-release}
+cmake --preset "$preset" -Wno-dev
+cmake --build --preset "$preset"

@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the VHDL of configurations from the C++ core with Bambu, into generated_rtl/NAME/."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import tools  # noqa: E402
+from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.generate import generate  # noqa: E402
+from flow.manifest import stale_reasons  # noqa: E402
+
+
+def check(names, table):
+    """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
+    stale = {name: stale_reasons(name, table[name]) for name in names}
+    for name, reasons in stale.items():
+        print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else 'up to date'}")
+    if any(stale.values()):
+        again = " ".join(f"--config {name}" for name, reasons in stale.items() if reasons)
+        raise FlowError(f"the generated VHDL is older than its sources; run scripts/synthesize.py {again}", EXIT_MISMATCH)
+    return EXIT_OK
+
+
+def main():
+    parser = ArgumentParser(prog="synthesize.py", description=__doc__)
+    parser.add_argument("--config", action="append", metavar="NAME", help="configuration, may be repeated; 'all' for each (default all)")
+    parser.add_argument("--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu")
+    parser.add_argument("--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration")
+    options = parser.parse_args()
+    table = tools.configurations()
+    names = options.config or ["all"]
+    if "all" in names:
+        names = sorted(table)
+    for name in names:
+        tools.configuration(name)
+    if options.check:
+        return check(names, table)
+    tools.find_bambu()
+    for name in names:
+        report = generate(name, out=options.out / name if options.out else None)["tool_report"]
+        print(f"{name}: {report['states']:.0f} states, {report['registers']} registers ({report['registers_named']} named as in C++), "
+              f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']:.0f} flip-flops and {report['mhz']} MHz")
+    return EXIT_OK
+
+
+if __name__ == "__main__":
+    run_command(main)
