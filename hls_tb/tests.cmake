@@ -36,7 +36,8 @@ add_rejected_config(low height_px=2 "the image height must be window_px ... 4096
 add_rejected_config(even_window window_px=4 "the matching window must be 3x3 or 5x5 pixels")
 add_rejected_config(many_disparities disparities=257 "the disparity range must be 2 ... 256")
 add_rejected_config(narrow width_px=100 "the image must be wider than the disparity range")
-add_rejected_config(disparities_in_radius "disparities=2,config.window_px=5" "the disparity range must exceed the window.s radius")
+add_rejected_config(disparities_in_radius "disparities=2,config.window_px=5"
+                    "the disparity range must exceed the window.s radius")
 add_rejected_config(small_group winner_group=1 "the winner group must have 2 ... 16 candidates")
 add_test(NAME stereo_config_rejects.nothing_right
          COMMAND "${CMAKE_CXX_COMPILER}" -std=c++20 -fsyntax-only "-I${PROJECT_SOURCE_DIR}/hls"

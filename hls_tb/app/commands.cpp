@@ -129,6 +129,22 @@ void vectors(const VectorsArguments& arguments) {
    out.commit();
 }
 
+void trace(const TraceArguments& arguments) {
+   constexpr int kStallPercent = 20;
+   constexpr uint64_t kSeed = 1;
+   const Configuration& configuration = require_configuration(arguments.config);
+   StimulusWriter writer(kStallPercent, kSeed);
+   writer.bubbles(4);
+   writer.pair(0x5a, 0xa5, true);
+   writer.random_pairs(arguments.clocks);
+   writer.clocks.resize(std::size_t(arguments.clocks));
+   std::ostringstream text;
+   configuration.trace({configuration.name, writer.clocks}, text);
+   OutputFolder out(arguments.out);
+   out.add("trace.txt", text.str());
+   out.commit();
+}
+
 void list_configurations(bool as_json_text) {
    if (as_json_text) {
       nlohmann::json all;

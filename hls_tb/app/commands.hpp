@@ -37,6 +37,13 @@ struct VectorsArguments {
 };
 void vectors(const VectorsArguments& arguments);
 
+/// Values of all registers under random pixel pairs, by which synthesis gives the registers of the VHDL their names.
+struct TraceArguments {
+   std::string config, out;
+   int clocks = 1000;
+};
+void trace(const TraceArguments& arguments);
+
 void list_configurations(bool as_json);
 
 }  // namespace stereo::app

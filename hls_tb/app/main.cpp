@@ -86,6 +86,15 @@ void add_vectors(CLI::App& app) {
    command->callback([] { vectors(arguments); });
 }
 
+void add_trace(CLI::App& app) {
+   static TraceArguments arguments;
+   CLI::App* command = app.add_subcommand("trace", "trace all registers of the clocked core: trace.txt");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the result")->required();
+   command->add_option("--clocks", arguments.clocks, "length")->check(CLI::Range(10, 1000000))->capture_default_str();
+   command->callback([] { trace(arguments); });
+}
+
 void add_configurations(CLI::App& app) {
    static bool as_json = false;
    CLI::App* command = app.add_subcommand("configurations", "list the hardware configurations");
@@ -106,6 +115,7 @@ int main(int argc, char** argv) {
    add_match(app);
    add_scene(app);
    add_vectors(app);
+   add_trace(app);
    add_configurations(app);
    try {
       app.parse(argc, argv);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "vectors/register_trace.hpp"
 #include "vectors/run_core.hpp"
 
 namespace stereo {
@@ -10,7 +11,7 @@ namespace {
 
 template <const StereoConfig& C>
 Configuration entry(const char* name) {
-   return {name, C, StereoCore<C>::kLatency, &run_core<C>};
+   return {name, C, StereoCore<C>::kLatency, &run_core<C>, &trace_core<C>};
 }
 
 }  // namespace

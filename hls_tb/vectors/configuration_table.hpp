@@ -2,6 +2,8 @@
 // From a configuration's name at run time to its core.
 #pragma once
 
+#include <ostream>
+
 #include "vectors/stimulus.hpp"
 
 namespace stereo {
@@ -11,6 +13,7 @@ struct Configuration {
    StereoConfig config;
    int latency_clocks;
    std::vector<CoreOutput> (*run)(const std::vector<StereoInput>& clocks);  ///< run_core of this configuration
+   void (*trace)(const Stimulus& stimulus, std::ostream& out);              ///< trace_core of this configuration
 };
 
 /// All named configurations, sorted by name.

@@ -10,6 +10,7 @@ from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import ROOT, find_bambu, run
 
 TOP = "stereo_core"
+WORK = ROOT / "build" / "synthesis"
 DEVICE = "LFE5U85F8BG756C"
 # The clock period only bounds what may share a state; a generous one keeps the whole loop body in one. The clock that
 # counts is the one after place and route.
@@ -22,25 +23,25 @@ OPTIONS = [
 @dataclass(frozen=True)
 class ToolRun:
     vhdl: Path  # the design
-    library: Path  # the tool's component library, never copied into the project
     version: str
     command: str  # as a user would type it in the project's root
     report: dict
 
 
-def synthesize(config, directory):
+def synthesize(config):
     """Synthesises one configuration in an empty working directory."""
     bambu = find_bambu()
-    directory = Path(directory)
+    directory = WORK / config
     shutil.rmtree(directory, ignore_errors=True)
     directory.mkdir(parents=True)
     shutil.copytree(ROOT / "hls", directory / "hls", ignore=shutil.ignore_patterns("rtl"))
     options = ["hls/stereo_top.cpp", "-Ihls", f"-DSTEREO_CONFIGURATION={config}", *OPTIONS]
     log = directory / "bambu.log"
     run([bambu, *options], cwd=directory, log=log)
+    if not (directory / f"{TOP}.vhd").is_file():
+        raise FlowError(f"Bambu wrote no {TOP}.vhd; see {log}", EXIT_TOOL_FAILED)
     return ToolRun(
-        vhdl=_one(directory, f"{TOP}.vhd"),
-        library=_one(directory, "*library*.vhd"),
+        vhdl=directory / f"{TOP}.vhd",
         version=tool_version(bambu),
         command=" ".join(["bambu", *options]),
         report=read_log(log.read_text()),
@@ -59,16 +60,20 @@ def read_log(text):
     """States, flip-flops and clock of the tool's own estimate."""
     found = {}
     for key, pattern in {
-        "states": r"Number of control steps: (\d+)", "flip_flops": r"Total number of flip-flops in function \w+: (\d+)",
+        "states": r"Number of states: (\d+)", "flip_flops": r"Total number of flip-flops in function \w+: (\d+)",
         "mhz": r"Estimated max frequency \(MHz\): ([\d.]+)",
     }.items():
         matches = re.findall(pattern, text)
-        found[key] = float(matches[-1]) if matches else None
+        if not matches:
+            raise FlowError(f"the tool's log has no line '{pattern}'", EXIT_TOOL_FAILED)
+        found[key] = round(float(matches[-1]), 2)
     return found
 
 
-def _one(directory, pattern):
-    files = [path for path in directory.rglob(pattern) if "hls" not in path.relative_to(directory).parts]
-    if len(files) != 1:
-        raise FlowError(f"Bambu wrote {len(files)} files {pattern} in {directory}, expected one", EXIT_TOOL_FAILED)
-    return files[0]
+def original_files(config):
+    """The VHDL and memory images of the last run, the tool's components included: for co-simulation only, not for the repo."""
+    directory = WORK / config
+    files = [directory / f"{TOP}.vhd", *sorted((directory / "bambu_lib" / "VHDL").glob("*.vhd")), *sorted(directory.glob("*.mem"))]
+    if len(files) < 2:
+        raise FlowError(f"no output of Bambu in {directory}; run scripts/synthesize.py --config {config}")
+    return files

@@ -11,6 +11,7 @@ from typing import Optional
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from . import checker, manifest, vectors
+from .bambu import original_files
 from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from .simulators import SIMULATORS
 from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
@@ -53,7 +54,7 @@ def run_job(job):
     """Runs one co-simulation, writes report.json and junit.xml, prints the summary. Returns the report."""
     parameters = configuration(job.config)
     _check_wave(job)
-    files = manifest.vhdl_files(job.rtl or GENERATED_RTL / job.config)
+    files = original_files(job.config) if job.simulator == "original" else manifest.vhdl_files(job.rtl or GENERATED_RTL / job.config)
     out = job.out_directory()
     try:
         out.mkdir(parents=True, exist_ok=True)

@@ -8,11 +8,12 @@ from pathlib import Path
 from . import bambu, manifest
 from .rtl.lowering import lower
 from .rtl.naming import name_registers, read_trace
+from .rtl.ranges import narrow_registers
 from .rtl.vhdl_reader import read_design
 from .rtl.vhdl_writer import VhdlWriter
 from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
 
-TRACE_CLOCKS_PER_ROW = 4  # rows that the naming trace covers, so that border rules show
+TRACE_ROWS = 4  # that the naming trace covers, so that the rules at the upper border show
 
 
 def header(config, parameters, tool_run):
@@ -26,24 +27,23 @@ def header(config, parameters, tool_run):
     ])
 
 
-def netlist_of(config, parameters, tool_run, directory):
-    """The design of a Bambu run, lowered, checked against the C++ core and named after it."""
-    netlist = lower(read_design(tool_run.vhdl))
-    trace_file = Path(directory) / "trace.txt"
-    clocks = TRACE_CLOCKS_PER_ROW * parameters["width_px"]
-    run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", trace_file], passes_errors=True)
-    named = name_registers(netlist, read_trace(trace_file))
+def netlist_of(config, parameters, vhdl):
+    """The tool's design, lowered, checked against the C++ core and named after it."""
+    netlist = lower(read_design(vhdl))
+    clocks = TRACE_ROWS * parameters["width_px"]
+    run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", vhdl.parent], passes_errors=True)
+    named = name_registers(netlist, read_trace(vhdl.with_name("trace.txt")))
+    narrow_registers(netlist)
     return netlist, named
 
 
 def generate(config, say=print, out=None):
     """Writes the folder of one configuration, all of it or nothing. Returns its manifest."""
     parameters = configuration(config)
-    work = ROOT / "build" / "synthesis" / config
     say(f"{config}: Bambu ...")
-    tool_run = bambu.synthesize(config, work)
+    tool_run = bambu.synthesize(config)
     say(f"{config}: lowering ...")
-    netlist, named = netlist_of(config, parameters, tool_run, work)
+    netlist, named = netlist_of(config, parameters, tool_run.vhdl)
     files = {
         "line_memory.vhd": (ROOT / "hls" / "rtl" / "line_memory.vhd").read_text(),
         "stereo_core.vhd": VhdlWriter(netlist, header(config, parameters, tool_run)).write(),

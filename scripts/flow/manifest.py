@@ -23,6 +23,7 @@ def hardware_sources():
     not make the others stale.
     """
     hardware = [path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp"]
+    hardware.append(ROOT / "hls" / "rtl" / "line_memory.vhd")
     writer = sorted((ROOT / "scripts" / "flow" / "rtl").glob("*.py"))
     return hardware + writer
 

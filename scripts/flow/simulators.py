@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The two ways to run the generated VHDL. Both read a stimulus file and write an observed file (see vectors.py)."""
+"""The ways to run the VHDL. Each reads a stimulus file and writes an observed file (see vectors.py)."""
 
 import hashlib
 import os
@@ -68,8 +68,11 @@ class Ghdl(Simulator):
         return [BENCH / "tb_stereo_core.vhd"]
 
     def _build(self):
+        self._analyse([*self.vhdl_files, *self._bench_files()])
+
+    def _analyse(self, files):
         ghdl = find_ghdl()
-        run([ghdl, "-a", GHDL_STANDARD, *self.vhdl_files, *self._bench_files()], cwd=self.work, log=self.work / "analyse.log")
+        run([ghdl, "-a", GHDL_STANDARD, *files], cwd=self.work, log=self.work / "analyse.log")
         run([ghdl, "-e", GHDL_STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
 
     def _command(self, stimulus, observed, wave, wave_clocks):
@@ -80,6 +83,33 @@ class Ghdl(Simulator):
             command += [f"{option}={wave}", f"--stop-time={(wave_clocks[1] + 3) * 10}ns"]
         return command
 
+
+class Original(Ghdl):
+    """Bambu's own VHDL with its component library in GHDL, to prove the lowering. Needs a run of synthesize.py on this
+    machine; `vhdl_files` are the tool's files, memory images included."""
+
+    name = "original"
+
+    def _bench_files(self):
+        return [BENCH / "bambu_original.vhd", *super()._bench_files()]
+
+    def _build(self):
+        ghdl = find_ghdl()
+        library = self.work / "library"
+        library.mkdir()
+        sources = []
+        for path in self.vhdl_files:
+            if path.suffix == ".mem":
+                shutil.copy(path, self.work)
+            elif path.name == "stereo_core.vhd":
+                sources.insert(0, path)
+            else:
+                # Each component file brings the same package; one copy, in the design itself, is enough.
+                copy = library / path.name.replace("\\", "")
+                copy.write_text(path.read_text().rpartition("end package body;")[2])
+                sources.append(copy)
+        run([ghdl, "-a", GHDL_STANDARD, "--work=bambu", *sources], cwd=self.work, log=self.work / "library.log")
+        self._analyse(self._bench_files())
 
 class Verilator(Simulator):
     """The same VHDL through `ghdl --synth`, for whole frames."""
@@ -109,7 +139,7 @@ class Verilator(Simulator):
         return command
 
 
-SIMULATORS = {simulator.name: simulator for simulator in (Ghdl, Verilator)}
+SIMULATORS = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}
 
 
 def to_verilog(vhdl_files, work_directory):

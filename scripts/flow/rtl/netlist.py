@@ -38,7 +38,7 @@ _interned = {}
 
 
 def _node(op, args, param, low, high, ones=None):
-    key = (op, tuple(id(a) for a in args), param)
+    key = (op, tuple(id(a) for a in args), param, low, high)
     found = _interned.get(key)
     if found is None:
         if ones is None:
@@ -140,6 +140,8 @@ def is_sign_of(sign, d):
 
 
 def absolute(a):
+    if is_const(a):
+        return const(abs(a.param))
     if a.low >= 0:
         return a
     return _node("abs", (a,), None, 0 if a.high >= 0 else -a.high, max(-a.low, a.high))
@@ -251,9 +253,10 @@ def _joined_bits(node):
     joined = False
     for tests in words.values():
         tests.sort(key=lambda test: test[0][1])
-        (word, low, _, _), (_, last, last_width, _) = tests[0][0], tests[-1][0]
-        width = last + last_width - low
-        if len(tests) > 1 and width == sum(test[0][2] for test in tests):
+        word, low = tests[0][0][:2]
+        ends = [test[1] + test[2] for test, _ in tests]
+        width = ends[-1] - low
+        if len(tests) > 1 and all(end == test[1] for end, (test, _) in zip(ends, tests[1:])):
             wanted = sum(value << (bit - low) for (_, bit, _, value), _ in tests)
             others.append(equal(wrap(shift_right(word, low), width), const(wanted)))
             joined = True
@@ -313,6 +316,8 @@ def bitwise(op, a, b):
         return {"and": bit_and, "or": bit_or, "xor": bit_xor}[op](a, b)
     if is_const(a):
         a, b = b, a
+    if is_const(a) and is_const(b):
+        return const({"and": int.__and__, "or": int.__or__, "xor": int.__xor__}[op](a.param, b.param))
     if op == "and" and is_const(b) and b.param >= 0:
         return _masked(a, b.param)
     if op in ("or", "xor"):

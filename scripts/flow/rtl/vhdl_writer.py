@@ -5,8 +5,8 @@ import re
 from collections import Counter
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from .expressions import COMPARISONS, Writer, is_wide, type_of
-from .netlist import Memory, Register, bit_not, is_const, walk
+from .expressions import Writer, is_wide, type_of
+from .netlist import Register, bit_not, walk
 
 LINE = 120
 PORTS = """\
@@ -97,7 +97,7 @@ class VhdlWriter:
             self.names[id(register.value)] = (register.name, True)
         self.in_memory = {id(register) for register, _ in self.reads.values()}
         for name, node in netlist.inputs.items():
-            self.names[id(node)] = (f"{name} = '1'" if node.is_bit else f"unsigned({name})", not node.is_bit)
+            self.names[id(node)] = (f"in_{name}", False)
         self.variables = {}  # name -> type
         self.text = Writer(self.names)
         self.uses = Counter(id(a) for n in walk(netlist.roots()) for a in n.args)
@@ -107,13 +107,13 @@ class VhdlWriter:
         process = self._process()  # first: it finds the variables
         parts = [self.header, "library ieee;", "use ieee.std_logic_1164.all;", "use ieee.numeric_std.all;", "",
                  "entity stereo_core is", "  port (", PORTS, "  );", "end entity;", "", "architecture rtl of stereo_core is",
-                 HELPERS, self._declarations(), "begin", self._outputs(), self._memories(), process, "end architecture;"]
+                 HELPERS, self._declarations(), "begin", self._ports(), self._memories(), process, "end architecture;"]
         return "\n".join(parts) + "\n"
 
     # --- declarations -------------------------------------------------------------------------------------------------
 
     def _declarations(self):
-        lines = []
+        lines = [f"  signal in_{name} : {type_of(node.low, node.high)};" for name, node in self.netlist.inputs.items()]
         for block, registers in self._blocks():
             lines.append(f"  -- {block}")
             by_type = {}
@@ -135,8 +135,10 @@ class VhdlWriter:
             blocks.setdefault(register.name.split("_")[0], []).append(register)
         return blocks.items()
 
-    def _outputs(self):
+    def _ports(self):
         lines = []
+        for name, node in self.netlist.inputs.items():
+            lines.append(f"  in_{name} <= {name} = '1';" if node.is_bit else f"  in_{name} <= to_integer(unsigned({name}));")
         for name, node in self.netlist.outputs.items():
             if node.is_bit and name != "disparity":
                 lines.append(f"  {name} <= as_bit({_bare(self.text.condition(node))});")

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Random netlists, written as VHDL and run in GHDL, against the same netlists run in Python."""
+
+import re
+
+import pytest
+from flow import vectors
+from flow.errors import FlowError
+from flow.rtl import netlist as n
+from flow.rtl.evaluate import compile_step, initial_state
+from flow.rtl.ranges import narrow_registers
+from flow.rtl.vhdl_writer import VhdlWriter, control_registers, split_hold
+from flow.simulators import Ghdl
+
+INPUTS = {"left_pixel": 8, "right_pixel": 8, "start_of_frame": 1, "valid": 1}
+CLOCKS = 300
+
+
+def random_netlist(rng, registers=40):
+    """Registers of some widths whose next values are random expressions of the inputs and of each other."""
+    design = n.Netlist({name: n.leaf("input", name, w) for name, w in INPUTS.items()})
+    for k in range(registers):
+        width = rng.choice((1, 1, 4, 8, 8, 12))
+        design.registers.append(n.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width)))
+    words = [r.value for r in design.registers if not r.value.is_bit] + [design.inputs["left_pixel"], design.inputs["right_pixel"]]
+    bits = [r.value for r in design.registers if r.value.is_bit] + [design.inputs["start_of_frame"], design.inputs["valid"]]
+    for register in design.registers:
+        make = random_bit if register.value.is_bit else random_word
+        value = n.wrap(make(rng, words, bits, 3), register.value.width)
+        register.next = n.mux(rng.choice(bits), value, register.value) if rng.random() < 0.3 else value
+    design.outputs = {
+        "disparity": n.wrap(n.add(*[r.value for r in design.registers]), 8), "disparity_valid": n.const(1),
+        "disparity_start_of_frame": n.bit_or(*[b for b in bits[: len(bits) // 2]]), "disparity_end_of_line": n.bit_and(bits[0], n.bit_not(n.less(words[0], words[1]))),
+    }
+    return design
+
+
+def random_word(rng, words, bits, depth):
+    if depth == 0:
+        return rng.choice(words) if rng.random() < 0.8 else n.const(rng.randrange(256))
+    x, y = (random_word(rng, words, bits, depth - 1) for _ in range(2))
+    bit = random_bit(rng, words, bits, depth - 1)
+    return rng.choice((
+        lambda: n.add(x, y), lambda: n.sub(x, y), lambda: n.absolute(n.sub(x, y)), lambda: n.mux(bit, x, y), lambda: n.add(x, bit),
+        lambda: n.wrap(n.shift_left(x, rng.randrange(4)), 10), lambda: n.shift_right(n.wrap(x, 9), rng.randrange(5)),
+        lambda: n.wrap(x, rng.randrange(1, 9)), lambda: n.wrap(x, 6, signed=True), lambda: n.add(x, n.const(-rng.randrange(9))),
+    ))()
+
+
+def random_bit(rng, words, bits, depth):
+    if depth == 0:
+        return rng.choice(bits)
+    x, y = (random_word(rng, words, bits, depth - 1) for _ in range(2))
+    p, q = (random_bit(rng, words, bits, depth - 1) for _ in range(2))
+    return rng.choice((
+        lambda: n.less(x, y), lambda: n.equal(x, y), lambda: n.bit_not(n.equal(x, n.const(7))), lambda: n.bit_and(p, q), lambda: n.bit_or(p, q),
+        lambda: n.bit_not(p), lambda: n.bit_xor(p, q), lambda: n.mux(p, q, n.less(x, n.const(50))), lambda: n.wrap(x, 1),
+    ))()
+
+
+def run_in_python(design, stimulus):
+    """Outputs clock by clock, after two clocks of reset with all inputs 0, as the bench has them."""
+    step = compile_step(design)
+    registers, memories = initial_state(design)
+    control = control_registers(design)
+    for _ in range(2):
+        step(dict.fromkeys(INPUTS, 0), registers, memories)
+        for k, r in enumerate(design.registers):
+            if id(r.value) in control:
+                registers[k] = r.initial
+    for clock, inputs in enumerate(stimulus):
+        out = step(inputs, registers, memories)
+        flags = out["disparity_start_of_frame"] | out["disparity_end_of_line"] << 1
+        yield vectors.Observed(clock, out["disparity"], flags)
+
+
+@pytest.mark.parametrize("part", range(6))
+def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part):
+    design = random_netlist(rng)
+    narrow_registers(design)
+    n.remove_unused(design)
+    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- random netlist").write())
+    stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
+    lines = [f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus]
+    (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
+    simulator = Ghdl([tmp_path / "stereo_core.vhd"], tmp_path / "sim")
+    simulator.build()
+    simulator.run(tmp_path / "stimulus.txt", tmp_path / "observed.txt", lambda clock: None, 60)
+    observed, clocks = vectors.read_observed(tmp_path / "observed.txt")
+    assert clocks == CLOCKS
+    for expected, got in zip(run_in_python(design, stimulus), observed, strict=True):
+        assert got == expected
+
+
+def test_ranges_follow_a_pipeline_and_leave_counters_alone():
+    pixel = n.leaf("input", "left_pixel", 8)
+    difference, total = (n.Register(name, n.leaf("register", name, 16)) for name in ("difference", "total"))
+    counter = n.Register("counter", n.leaf("register", "counter", 7), 3)
+    difference.next = n.absolute(n.sub(pixel, n.leaf("input", "right_pixel", 8)))
+    total.next = n.wrap(n.add(difference.value, difference.value, difference.value), 16)
+    counter.next = n.wrap(n.add(counter.value, n.const(1)), 7)
+    design = n.Netlist({}, {"out": total.value, "count": counter.value}, [difference, total, counter])
+    narrow_registers(design)
+    assert [(r.value.low, r.value.high) for r in design.registers] == [(0, 255), (0, 765), (0, 127)]
+    assert total.next.op == "add", "the wrap is proved away"
+
+
+def test_hold_is_found():
+    enable, pixel = n.leaf("input", "valid", 1), n.leaf("input", "left_pixel", 8)
+    register = n.Register("r", n.leaf("register", "r", 8))
+    register.next = n.mux(enable, pixel, register.value)
+    assert split_hold(register) == (enable, pixel)
+    register.next = n.mux(enable, register.value, pixel)
+    assert split_hold(register) == (n.bit_not(enable), pixel)
+    register.next = pixel
+    assert split_hold(register) == (None, pixel)
+
+
+def memory_design():
+    address, word = n.Register("m_address", n.leaf("register", "m_address", 3)), n.Register("m_word", n.leaf("register", "m_word", 8))
+    memory = n.Memory("m_memory", 8, 8, n.leaf("memory", "m_memory", 8), address.value, address.value, n.leaf("input", "left_pixel", 8))
+    address.next, word.next = n.wrap(n.add(address.value, n.const(1)), 3), memory.data
+    outputs = {"disparity": word.value, "disparity_valid": n.const(1), "disparity_start_of_frame": n.const(0), "disparity_end_of_line": n.const(0)}
+    return n.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
+
+
+def test_memories_become_the_cell():
+    text = VhdlWriter(memory_design(), "-- memory").write()
+    assert re.search(r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8\)", text)
+    assert "m_word <=" not in text, "the cell's read register takes its place"
+
+
+def test_a_memory_that_is_read_without_a_register_is_refused():
+    design = memory_design()
+    design.outputs["disparity"] = design.memories[0].data
+    with pytest.raises(FlowError, match="read data of memory m_memory"):
+        VhdlWriter(design, "")
+
+
+def test_an_operation_without_vhdl_is_refused():
+    design = memory_design()
+    design.outputs["disparity"] = n.wrap(n.bitwise("xor", design.registers[1].value, n.leaf("input", "right_pixel", 8)), 8)
+    design.inputs["right_pixel"] = n.leaf("input", "right_pixel", 8)
+    with pytest.raises(FlowError, match="no VHDL for the operation 'xor'"):
+        VhdlWriter(design, "").write()
