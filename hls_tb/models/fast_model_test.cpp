@@ -53,6 +53,16 @@ TEST(FastModel, EqualsTheReferenceWithRandomParameters) {
    }
 }
 
+TEST(FastModel, EqualsTheReferenceWhereSumsPass16Bits) {
+   // 17 x 17 differences of 200 ... 253 add up to about 65536.
+   ImagePair pair = random_pair(80, 40, test_seed(), 54);
+   for (uint8_t& pixel : pair.left.pixels) pixel = uint8_t(200 + pixel / 5);
+   pair.right = GrayImage(80, 40, 0);
+   const MatchingParameters parameters{30, 17};
+   EXPECT_TRUE(
+       same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)));
+}
+
 TEST(FastModel, RejectsWhatTheReferenceRejects) {
    EXPECT_THROW(match_fast(GrayImage(1, 1), GrayImage(1, 1), {1, 3}), std::invalid_argument);
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), {4, 3}), std::invalid_argument);

@@ -91,7 +91,7 @@ class Original(Ghdl):
     name = "original"
 
     def _bench_files(self):
-        return [BENCH / "bambu_original.vhd", *super()._bench_files()]
+        return [BENCH / "bambu_read_port.vhd", BENCH / "bambu_original.vhd", *super()._bench_files()]
 
     def _build(self):
         ghdl = find_ghdl()
@@ -108,8 +108,13 @@ class Original(Ghdl):
                 copy = library / path.name.replace("\\", "")
                 copy.write_text(path.read_text().rpartition("end package body;")[2])
                 sources.append(copy)
+        template = (BENCH / "bambu_read_port.vhd").read_text()
+        for port in ("left_pixel", "right_pixel", "start_of_frame", "valid"):
+            copy = library / f"{port}.vhd"
+            copy.write_text(template.replace("PORT", port))
+            sources.append(copy)
         run([ghdl, "-a", GHDL_STANDARD, "--work=bambu", *sources], cwd=self.work, log=self.work / "library.log")
-        self._analyse(self._bench_files())
+        self._analyse(self._bench_files()[1:])
 
 class Verilator(Simulator):
     """The same VHDL through `ghdl --synth`, for whole frames."""
