@@ -9,8 +9,8 @@ namespace stereo {
 
 /// Turns the pixel stream into columns of B pixels of both images. 2 clocks. Memory: W x 16*(B-1) bits.
 ///
-/// Clock 1 reads the stored column, clock 2 writes it back one row older. Address and data of both accesses come straight
-/// from registers, so a synthesiser can fold the memory into block RAM or LUT RAM.
+/// Clock 1 reads the stored column, clock 2 writes it back one row older. Address and data of both accesses come
+/// straight from registers, so a synthesiser can fold the memory into block RAM or LUT RAM.
 template <const StereoConfig& C>
 struct LineBuffer {
    static constexpr int kRows = C.window_px;

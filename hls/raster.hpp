@@ -11,8 +11,9 @@ namespace stereo {
 ///
 /// The window around output row y needs image row y + r (r = window radius), so the last r output rows of a frame leave
 /// while r further rows come in. Those are either rows of anything without start of frame ("flush rows"), or simply the
-/// first rows of the next frame. In the second case a frame costs W*H clocks and not one more. `row` counts the rows that
-/// the windows see: 0 ... H-1 are image rows, H ... H+r-1 the rows after them, whoever sends them, and H+r is idle.
+/// first rows of the next frame. In the second case a frame costs W*H clocks and not one more. `row` counts the rows
+/// that the windows see: 0 ... H-1 are image rows, H ... H+r-1 the rows after them, whoever sends them, and H+r is
+/// idle.
 template <const StereoConfig& C>
 struct Raster {
    static constexpr int kRadius = C.radius_px();
@@ -22,9 +23,9 @@ struct Raster {
    uint8_t left = 0;
    uint8_t right = 0;
    bool valid = false;
-   uint16_t column = 0;        ///< 0 ... W-1
-   uint16_t row = kIdleRow;    ///< 0 ... H+r
-   bool next_frame = false;    ///< rows H ... H+r-1 are the first rows of the next frame
+   uint16_t column = 0;      ///< 0 ... W-1
+   uint16_t row = kIdleRow;  ///< 0 ... H+r
+   bool next_frame = false;  ///< rows H ... H+r-1 are the first rows of the next frame
 
    inline void clock(StereoInput in) {
       const bool last_column = column == C.width_px - 1;

@@ -5,8 +5,8 @@
 
 namespace stereo {
 
-/// Delays the reference (right) image by D-1 pixels, so that R(x) meets L(x) ... L(x+D-1), and derives from the position
-/// what the later blocks must know. 1 clock. Memory: D x 8 bits.
+/// Delays the reference (right) image by D-1 pixels, so that R(x) meets L(x) ... L(x+D-1), and derives from the
+/// position what the later blocks must know. 1 clock. Memory: D x 8 bits.
 template <const StereoConfig& C>
 struct ReferenceDelay {
    using Memory = uint8_t[C.disparities];

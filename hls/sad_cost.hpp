@@ -13,7 +13,7 @@ struct SadCost {
 
    uint8_t difference[kRows][kDisparities];  ///< |R(x) - L(x+d)| of the row k above the newest, 0 ... 255
    PixelTag tag_before;
-   uint16_t column[kDisparities];            ///< column cost, 0 ... 255*B; 0 outside the cost columns 0 ... W-D
+   uint16_t column[kDisparities];  ///< column cost, 0 ... 255*B; 0 outside the cost columns 0 ... W-D
    PixelTag tag;
 
    inline SadCost() {
@@ -42,7 +42,8 @@ struct SadCost {
       HLS_UNROLL
       for (int k = 0; k < kRows; ++k) {
          HLS_UNROLL
-         for (int d = 0; d < kDisparities; ++d) difference[k][d] = absolute_difference(shift.left[k][d], shift.right[k]);
+         for (int d = 0; d < kDisparities; ++d)
+            difference[k][d] = absolute_difference(shift.left[k][d], shift.right[k]);
       }
       tag_before = shift.tag;
    }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "configurations.hpp"
-#include "winner_tree.hpp"
 #include "window_sum.hpp"
+#include "winner_tree.hpp"
 
 namespace stereo {
 
-/// The memories of a core. They stand beside it, not in it: a memory that is indexed at run time would tie every register
-/// of the same object to memory.
+/// The memories of a core. They stand beside it, not in it: a memory that is indexed at run time would tie every
+/// register of the same object to memory.
 template <const StereoConfig& C>
 struct StereoMemories {
    typename ReferenceDelay<C>::Memory reference{};
@@ -18,11 +18,13 @@ struct StereoMemories {
 /// The block-matching core: one call of `clock` is one clock of the hardware.
 ///
 /// Disparity of (x,y) = the smallest d with the smallest sum over the BxB window around (x,y) of |R(x,y) - L(x+d,y)|,
-/// 0 <= d < D; cost columns outside 0 ... W-D and rows outside the image count 0. (Ambrosch et al. 2007, sections 3 and 4.)
+/// 0 <= d < D; cost columns outside 0 ... W-D and rows outside the image count 0. (Ambrosch et al. 2007, sections 3
+/// and 4.)
 ///
-/// Input: W*H pixel pairs a frame in raster order, any number of bubbles between them. Output: (W-D)*H disparities. Row y
-/// leaves while row y + r comes in (r = window radius); after the last row of a frame come the first r rows of the next one,
-/// or r rows of any valid pairs without start of frame. There is no back-pressure: a pixel pair a clock is always taken.
+/// Input: W*H pixel pairs a frame in raster order, any number of bubbles between them. Output: (W-D)*H disparities. Row
+/// y leaves while row y + r comes in (r = window radius); after the last row of a frame come the first r rows of the
+/// next one, or r rows of any valid pairs without start of frame. There is no back-pressure: a pixel pair a clock is
+/// always taken.
 template <const StereoConfig& C>
 struct StereoCore {
    static_assert(CheckedConfig<C>::kValid);

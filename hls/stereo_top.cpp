@@ -24,8 +24,8 @@ extern "C" void stereo_core(volatile uint8_t* left_pixel, volatile uint8_t* righ
    Core core(reference_memory, row_memory);
 #pragma nounroll
    while (true) {
-      // Volatile accesses keep their order, and a read after a write or after the core's memory accesses costs a state: all
-      // inputs first, then all outputs, then the clock.
+      // Volatile accesses keep their order, and a read after a write or after the core's memory accesses costs a state:
+      // all inputs first, then all outputs, then the clock.
       stereo::StereoInput in;
       in.left = *left_pixel;
       in.right = *right_pixel;

@@ -33,7 +33,8 @@ struct WindowSum {
          for (int j = 0; j < kColumns; ++j) total += history[j][d];
          sum[d] = total;
          HLS_UNROLL
-         for (int j = kColumns - 1; j > 0; --j) history[j][d] = select<uint16_t>(move, history[j - 1][d], history[j][d]);
+         for (int j = kColumns - 1; j > 0; --j)
+            history[j][d] = select<uint16_t>(move, history[j - 1][d], history[j][d]);
          history[0][d] = select<uint16_t>(move, cost.column[d], history[0][d]);
       }
       tag = centre[kRadius - 1];

@@ -40,8 +40,8 @@ def main():
     tools.find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
-        print(f"{name}: {report['states']:.0f} states, {report['registers']} registers ({report['registers_named']} named as in C++), "
-              f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']:.0f} flip-flops and {report['mhz']} MHz")
+        print(f"{name}: {report['states']} states ({report['loop_states']} in the loop), {report['registers']} registers ({report['registers_named']} named as in C++), "
+              f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz")
     return EXIT_OK
 
 

@@ -23,8 +23,8 @@ void trace_core(const Stimulus& stimulus, std::ostream& out) {
    out << '\n' << std::hex;
    for (const StereoInput& in : stimulus.clocks) {
       const StereoOutput shown = core->output();
-      out << +in.left << ' ' << +in.right << ' ' << in.start_of_frame << ' ' << in.valid << ' ' << +shown.disparity << ' '
-          << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
+      out << +in.left << ' ' << +in.right << ' ' << in.start_of_frame << ' ' << in.valid << ' ' << +shown.disparity
+          << ' ' << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
       for_each_register(*core, [&out](const std::string&, uint64_t value) { out << ' ' << value; });
       out << '\n';
       core->clock(in);

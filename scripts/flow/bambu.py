@@ -66,7 +66,7 @@ def read_log(text):
         matches = re.findall(pattern, text)
         if not matches:
             raise FlowError(f"the tool's log has no line '{pattern}'", EXIT_TOOL_FAILED)
-        found[key] = round(float(matches[-1]), 2)
+        found[key] = round(float(matches[-1]), 2) if "." in matches[-1] else int(matches[-1])
     return found
 
 

@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 from . import bambu, manifest
-from .rtl.lowering import lower
+from .rtl.lowering import lower, state_sequence
 from .rtl.naming import name_registers, read_trace
 from .rtl.ranges import narrow_registers
 from .rtl.vhdl_reader import read_design
@@ -27,12 +27,12 @@ def header(config, parameters, tool_run):
     ])
 
 
-def netlist_of(config, parameters, vhdl):
+def netlist_of(config, parameters, design, work):
     """The tool's design, lowered, checked against the C++ core and named after it."""
-    netlist = lower(read_design(vhdl))
+    netlist = lower(design)
     clocks = TRACE_ROWS * parameters["width_px"]
-    run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", vhdl.parent], passes_errors=True)
-    named = name_registers(netlist, read_trace(vhdl.with_name("trace.txt")))
+    run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)
+    named = name_registers(netlist, read_trace(work / "trace.txt"))
     narrow_registers(netlist)
     return netlist, named
 
@@ -43,12 +43,14 @@ def generate(config, say=print, out=None):
     say(f"{config}: Bambu ...")
     tool_run = bambu.synthesize(config)
     say(f"{config}: lowering ...")
-    netlist, named = netlist_of(config, parameters, tool_run.vhdl)
+    design = read_design(tool_run.vhdl)
+    netlist, named = netlist_of(config, parameters, design, tool_run.vhdl.parent)
     files = {
         "line_memory.vhd": (ROOT / "hls" / "rtl" / "line_memory.vhd").read_text(),
         "stereo_core.vhd": VhdlWriter(netlist, header(config, parameters, tool_run)).write(),
     }
-    report = dict(tool_run.report, registers=len(netlist.registers), registers_named=named,
+    report = dict(tool_run.report, loop_states=len(state_sequence(design)[1]), registers=len(netlist.registers), registers_named=named,
+                  register_bits=sum(r.value.width for r in netlist.registers),
                   memory_bits=sum(m.depth * m.width for m in netlist.memories))
     target = Path(out) if out else GENERATED_RTL / config
     target.parent.mkdir(parents=True, exist_ok=True)

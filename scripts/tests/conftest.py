@@ -39,7 +39,3 @@ def ghdl():
 def verilator():
     return need("verilator", "VERILATOR")
 
-
-@pytest.fixture
-def bambu():
-    return need("bambu", "BAMBU")

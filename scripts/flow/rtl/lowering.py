@@ -21,6 +21,16 @@ WRITE_PORT = re.compile(r"(\w+)_bambu_artificial_ParmMgr_Write_none_modgen")
 _REFERENCE = re.compile(r"(?:(std_logic_vector|unsigned|signed)\()?(\w+|\\[^\\]+\\)(?:\((\d+)(?: downto (\d+))?\))?\)?")
 
 
+def state_sequence(design):
+    """(states that are passed once, states of the endless loop), in order."""
+    names = [design.reset_state]
+    while design.states[names[-1]].next not in names:
+        names.append(design.states[names[-1]].next)
+    first = names.index(design.states[names[-1]].next)
+    states = [design.states[name] for name in names]
+    return states[:first], states[first:]
+
+
 def lower(design):
     return _Lowering(design).netlist()
 
@@ -184,13 +194,10 @@ class _Lowering:
 
     def _startup(self):
         """The start-up states in order, and the loop state that follows itself."""
-        states, path, name = self.design.states, [], self.design.reset_state
-        while states[name].next != name:
-            path.append(states[name])
-            name = states[name].next
-            if states[name] in path:
-                raise FlowError(f"the loop takes {len(path)} states, not one: look for array_ref_*.mem files, they betray arrays in memory", EXIT_TOOL_FAILED)
-        return path, states[name]
+        startup, loop = state_sequence(self.design)
+        if len(loop) != 1:
+            raise FlowError(f"the loop takes {len(loop)} states, not one: look for array_ref_*.mem files, they betray arrays in memory", EXIT_TOOL_FAILED)
+        return startup, loop[0]
 
     def _loop_state(self):
         return self._startup()[1]

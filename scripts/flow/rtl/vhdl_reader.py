@@ -52,7 +52,10 @@ def plain(name):
 
 
 def read_design(path):
-    text = re.sub(r"--[^\n]*", "", Path(path).read_text())
+    try:
+        text = re.sub(r"--[^\n]*", "", Path(path).read_text())
+    except OSError as error:
+        fail(f"{path}: {error.strerror}")
     datapath = _section(text, r"entity datapath_\w+ is", r"end datapath_\w+_arch;")
     controller = _section(text, r"entity controller_\w+ is", r"end controller_\w+_arch;")
     ports, rest = re.split(r"\bend datapath_\w+;", datapath, maxsplit=1)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls the commands in scripts/ and the native program as a user does."""
+
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from flow import manifest
+from flow.tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls
+
+
+def call(command, *arguments, environment=None):
+    """The finished process of scripts/COMMAND."""
+    words = [str(ROOT / "scripts" / command), *map(str, arguments)]
+    return subprocess.run(words, capture_output=True, text=True, env={**os.environ, **(environment or {})}, stdin=subprocess.DEVNULL)
+
+
+def refused(process, exit_code, *words):
+    """Asserts that a command ended with this code and one sentence on stderr that has all the words."""
+    assert process.returncode == exit_code, process.stdout + process.stderr
+    lines = process.stderr.splitlines()
+    assert len(lines) == 1, process.stderr
+    for word in words:
+        assert word in lines[0], lines[0]
+    assert "Traceback" not in process.stderr
+
+
+def scene(folder, config, seed=7):
+    """(left, right) of a generated pair of the size that a configuration takes."""
+    subprocess.run([find_stereo_hls(), "scene", "--config", config, "--seed", str(seed), "--out", str(folder)], check=True, capture_output=True)
+    return folder / "left.png", folder / "right.png"
+
+
+def random_pair(folder, config, levels, seed=1):
+    """(left, right) of unrelated noise with so many grey levels from 0 to 255: few levels give ties and extremes everywhere."""
+    size = configuration(config)
+    generator = random.Random(f"{levels} {seed}")
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("left", "right"):
+        pixels = bytes(generator.randrange(levels) * 255 // max(levels - 1, 1) for _ in range(size["width_px"] * size["height_px"]))
+        (folder / f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (size["width_px"], size["height_px"]) + pixels)
+    return folder / "left.pgm", folder / "right.pgm"
+
+
+def cosim(config, pair, out, *options, environment=None):
+    return call("cosim.py", "--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options, environment=environment)
+
+
+def report(out):
+    return json.loads((Path(out) / "report.json").read_text())
+
+
+def altered_rtl(folder, config, pattern, replacement):
+    """A copy of the committed VHDL with the first place that matches changed, and a manifest that fits the change."""
+    target = Path(folder) / config
+    shutil.copytree(GENERATED_RTL / config, target)
+    design = target / "stereo_core.vhd"
+    text, count = re.subn(pattern, replacement, design.read_text(), count=1, flags=re.MULTILINE)
+    assert count == 1, f"the VHDL of {config} has no '{pattern}'"
+    design.write_text(text)
+    entry = manifest.read(target)
+    entry["files"]["stereo_core.vhd"] = manifest.digest(design)
+    manifest.write(target, entry)
+    return target

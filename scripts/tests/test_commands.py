@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Wrong use of the commands: one clear sentence, the documented exit code, nothing half-written."""
+
+import json
+import shutil
+
+import pytest
+from flow import manifest
+from flow.tools import GENERATED_RTL, ROOT
+from flow_commands import call, cosim, refused, scene
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory):
+    return scene(tmp_path_factory.mktemp("scene"), "tiny")
+
+
+@pytest.fixture
+def nothing_written(tmp_path):
+    """The output folder, which must hold no report in the end."""
+    yield tmp_path / "out"
+    assert not (tmp_path / "out" / "report.json").exists()
+
+
+@pytest.fixture
+def rtl(tmp_path):
+    """A copy of the committed VHDL of tiny to damage."""
+    return shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "rtl")
+
+
+def test_help_names_the_exit_codes():
+    for command in ("cosim.py", "synthesize.py"):
+        process = call(command, "--help")
+        assert process.returncode == 0
+        assert "exit codes: 0 done, 1 the result differs" in " ".join(process.stdout.split())
+
+
+def test_missing_option(nothing_written):
+    refused(call("cosim.py", "--config", "tiny"), 2, "required", "--left", "--help")
+
+
+def test_unknown_configuration(pair, nothing_written):
+    refused(cosim("huge", pair, nothing_written), 2, "unknown configuration 'huge'", "ambrosch2007, tiny")
+    refused(call("synthesize.py", "--config", "huge", "--check"), 2, "unknown configuration 'huge'")
+
+
+def test_missing_image(pair, nothing_written):
+    refused(cosim("tiny", ("nowhere.png", pair[1]), nothing_written), 2, "nowhere.png")
+
+
+def test_image_of_another_size(tmp_path, pair, nothing_written):
+    large = scene(tmp_path / "large", "ambrosch2007")
+    refused(cosim("tiny", large, nothing_written), 2, "320x240", "32x12", "--fit")
+    refused(cosim("tiny", (pair[0], large[1]), nothing_written), 2, "left", "right")
+
+
+@pytest.mark.parametrize("rows", ["5", "5:5", "8:3", "0:13", "a:b", "-1:4"])
+def test_bad_rows(pair, nothing_written, rows):
+    refused(cosim("tiny", pair, nothing_written, f"--rows={rows}"), 2, "row")
+
+
+@pytest.mark.parametrize("option,value", [("--frames", "0"), ("--frames", "many"), ("--stall-percent", "200"), ("--simulator", "modelsim"), ("--wave", "wave.txt")])
+def test_bad_values(pair, nothing_written, option, value):
+    refused(cosim("tiny", pair, nothing_written, option, value), 2, option.strip("-"))
+
+
+def test_rows_without_any_output_are_refused(pair, nothing_written):
+    refused(cosim("tiny", pair, nothing_written, "--rows", "0:1"), 2, "would give no output")
+
+
+@pytest.mark.parametrize("tool,variable,options", [("ghdl", "GHDL", []), ("verilator", "VERILATOR", ["--simulator", "verilator"])])
+def test_missing_simulator(pair, nothing_written, tmp_path, tool, variable, options):
+    rtl = shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "rtl")
+    design = rtl / "stereo_core.vhd"
+    design.write_text(design.read_text() + "-- so that nothing built before fits\n")
+    entry = manifest.read(rtl)
+    entry["files"]["stereo_core.vhd"] = manifest.digest(design)
+    manifest.write(rtl, entry)
+    process = cosim("tiny", pair, nothing_written, "--rtl", rtl, *options, environment={variable: "/nowhere/tool"})
+    refused(process, 3, f"{tool} not found in {variable}=/nowhere/tool", "apt-get install")
+
+
+def test_missing_bambu_says_where_to_get_it():
+    refused(call("synthesize.py", "--config", "tiny", environment={"BAMBU": "/nowhere/bambu"}), 3, "bambu not found", "https://release.bambuhls.eu", "BAMBU")
+
+
+def test_missing_program_says_how_to_build_it(pair):
+    process = call("cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1], environment={"STEREO_HLS": "/nowhere/stereo_hls"})
+    refused(process, 3, "stereo_hls not found at /nowhere/stereo_hls", "cmake --build")
+
+
+def test_no_vhdl_for_this_configuration(pair, nothing_written, tmp_path):
+    refused(cosim("tiny", pair, nothing_written, "--rtl", tmp_path / "empty"), 2, "manifest.json is missing", "synthesize.py")
+
+
+def damage(rtl, **changes):
+    path = rtl / "manifest.json"
+    entry = json.loads(path.read_text())
+    for key, value in changes.items():
+        entry.pop(key) if value is None else entry.update({key: value})
+    path.write_text(json.dumps(entry))
+
+
+def test_damaged_manifests(pair, rtl, nothing_written):
+    good = (rtl / "manifest.json").read_text()
+    damage(rtl, files=None)
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest", "no files")
+    (rtl / "manifest.json").write_text(good[: len(good) // 2])
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest")
+    (rtl / "manifest.json").write_text("[]")
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest")
+    (rtl / "manifest.json").write_text(good)
+    damage(rtl, format="stereo-hls manifest 9")
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest", "manifest 9")
+    (rtl / "manifest.json").write_text(good)
+    damage(rtl, files={})
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "names no VHDL file")
+
+
+def test_vhdl_edited_by_hand(pair, rtl, nothing_written):
+    design = rtl / "stereo_core.vhd"
+    design.write_text(design.read_text() + "-- edited\n")
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd differs from its manifest")
+    design.unlink()
+    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd is named by the manifest but missing")
+
+
+def test_output_folder_that_cannot_be(pair, tmp_path):
+    (tmp_path / "file").write_text("")
+    refused(cosim("tiny", pair, tmp_path / "file" / "out"), 2, "cannot create")
+
+
+def test_setup_refuses_unknown_options():
+    refused(call("setup.sh", "--everything"), 2, "unknown option '--everything'")
+
+
+def test_scripts_are_documented():
+    readme = (ROOT / "README.md").read_text()
+    for script in sorted((ROOT / "scripts").glob("*.[ps][yh]")):
+        assert script.name in readme, f"README.md does not mention {script.name}"

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Co-simulation of the committed VHDL against the C++ core, as users run it."""
+
+import xml.etree.ElementTree as xml
+
+import pytest
+from flow_commands import cosim, random_pair, report, scene
+from flow.tools import ROOT
+
+WIDTH, OUTPUTS = {"tiny": 32, "ambrosch2007": 320}, {"tiny": 24 * 12, "ambrosch2007": 220 * 240}
+
+
+@pytest.fixture(scope="module")
+def pairs(tmp_path_factory):
+    return {config: scene(tmp_path_factory.mktemp(config), config) for config in WIDTH}
+
+
+def passed(process, out, outputs):
+    assert process.returncode == 0, process.stdout + process.stderr
+    result = report(out)
+    assert result["passed"] is True
+    assert (result["expected"], result["compared"], result["mismatches"]) == (outputs, outputs, 0)
+    assert result["clocks_per_second"] > 0
+    return result
+
+
+def test_tiny_whole_frame_in_ghdl(ghdl, pairs, tmp_path):
+    result = passed(cosim("tiny", pairs["tiny"], tmp_path), tmp_path, OUTPUTS["tiny"])
+    assert result["config"] == "tiny" and result["simulator"] == "ghdl"
+    assert result["initiation_interval"] == {"min": 1, "avg": 1.0, "max": 1}
+    assert result["latency_clocks"] == 10
+
+
+def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pairs, tmp_path):
+    result = passed(cosim("tiny", pairs["tiny"], tmp_path, "--frames", 3), tmp_path, 3 * OUTPUTS["tiny"])
+    assert result["frames"] == 3
+    assert result["clocks_per_frame"] == 32 * 12
+
+
+@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
+@pytest.mark.parametrize("stall_percent", [5, 60])
+def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, stall_percent):
+    request.getfixturevalue(simulator)
+    process = cosim("tiny", pairs["tiny"], tmp_path, "--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator)
+    result = passed(process, tmp_path, 4 * OUTPUTS["tiny"])
+    assert result["initiation_interval"]["max"] > 1, "bubbles show in the outputs"
+
+
+@pytest.mark.parametrize("levels", [1, 2, 3, 256])
+def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, levels):
+    pair = random_pair(tmp_path / "pair", "tiny", levels)
+    passed(cosim("tiny", pair, tmp_path / "out", "--frames", 2), tmp_path / "out", 2 * OUTPUTS["tiny"])
+
+
+@pytest.mark.parametrize("levels", [2, 256])
+def test_ambrosch2007_with_ties_extremes_and_noise(verilator, tmp_path, levels):
+    pair = random_pair(tmp_path / "pair", "ambrosch2007", levels)
+    process = cosim("ambrosch2007", pair, tmp_path / "out", "--frames", 2, "--stall-percent", 10, "--simulator", "verilator")
+    passed(process, tmp_path / "out", 2 * OUTPUTS["ambrosch2007"])
+
+
+def test_ambrosch2007_crop_in_ghdl(ghdl, pairs, tmp_path):
+    result = passed(cosim("ambrosch2007", pairs["ambrosch2007"], tmp_path, "--rows", "100:108"), tmp_path, 7 * 220)
+    assert result["clocks"] >= 2000
+    assert result["clocks_per_frame"] is None, "a crop is no frame"
+
+
+@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
+def test_ambrosch2007_two_whole_frames(request, pairs, tmp_path, simulator):
+    request.getfixturevalue(simulator)
+    result = passed(cosim("ambrosch2007", pairs["ambrosch2007"], tmp_path, "--frames", 2, "--simulator", simulator), tmp_path, 2 * OUTPUTS["ambrosch2007"])
+    assert result["clocks_per_frame"] <= 77600
+    assert result["initiation_interval"] == {"min": 1, "avg": 1.0, "max": 1}
+
+
+def test_ambrosch2007_real_pair(ghdl, tmp_path):
+    folder = ROOT.parent / "shared" / "data" / "stereo" / "teddy"
+    if not folder.is_dir():
+        pytest.skip("SKIP: no real pair in ../shared/data/stereo/teddy")
+    process = cosim("ambrosch2007", (folder / "left.png", folder / "right.png"), tmp_path, "--fit", "crop")
+    passed(process, tmp_path, OUTPUTS["ambrosch2007"])
+    assert "crop" in process.stdout, "what was done to the images is said"
+
+
+def test_junit_of_a_pass(ghdl, pairs, tmp_path):
+    passed(cosim("tiny", pairs["tiny"], tmp_path), tmp_path, OUTPUTS["tiny"])
+    suite = xml.parse(tmp_path / "junit.xml").getroot()
+    assert (suite.get("tests"), suite.get("failures")) == ("1", "0")
+
+
+@pytest.mark.parametrize("suffix", [".ghw", ".fst", ".vcd"])
+def test_ghdl_waveform(ghdl, pairs, tmp_path, suffix):
+    wave = tmp_path / f"wave{suffix}"
+    passed(cosim("tiny", pairs["tiny"], tmp_path, "--wave", wave), tmp_path, OUTPUTS["tiny"])
+    assert wave.stat().st_size > 1000
+
+
+def test_verilator_waveform(verilator, pairs, tmp_path):
+    wave = tmp_path / "wave.fst"
+    passed(cosim("tiny", pairs["tiny"], tmp_path, "--wave", wave, "--simulator", "verilator"), tmp_path, OUTPUTS["tiny"])
+    assert wave.stat().st_size > 1000

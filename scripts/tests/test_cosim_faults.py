@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Faults put into copies of the VHDL must be caught: a co-simulation that cannot fail proves nothing."""
+
+import xml.etree.ElementTree as xml
+
+import pytest
+from flow_commands import altered_rtl, cosim, random_pair, report
+
+FAULTS = {
+    "constant: one row too many": (r"raster_row = 11", "raster_row = 10"),
+    "constant: ring one shorter": (r"when reference_read_address = 7 else", "when reference_read_address = 6 else"),
+    "operator: sum becomes difference": (r"(cost_column_3 <= \S+) \+ ", r"\1 - "),
+    "operator: smaller becomes smaller or equal": (r"(winner1_cost_0_is_less := window_sum_\d) < ", r"\1 <= "),
+    "register dropped": (r"^ *window_history_1_5 <= .*;$", ""),
+    "register bypassed": (r"window_tag_end_of_line <= window_centre_0_end_of_line;", "window_tag_end_of_line <= cost_tag_end_of_line;"),
+    "index: the neighbour's pixel": (r"shift_left_1_2 <= shift_left_1_3;", "shift_left_1_2 <= shift_left_1_4;"),
+    "condition inverted": (r"if reference_tag_valid then", "if not reference_tag_valid then"),
+    "one winner's place wrong": (r"(winner1_index_1 <= )7 when", r"\g<1>6 when"),
+}
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory):
+    """Four grey levels: every disparity wins somewhere, and ties are everywhere. A textured scene would miss some faults."""
+    return random_pair(tmp_path_factory.mktemp("pair"), "tiny", levels=4)
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_fault_is_caught(ghdl, pair, tmp_path, fault):
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", *FAULTS[fault])
+    process = cosim("tiny", pair, tmp_path / "out", "--frames", 2, "--stall-percent", 10, "--rtl", rtl)
+    # A range that is left stops the simulator: that is a catch, too, with another exit code.
+    assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
+    if process.returncode == 1:
+        result = report(tmp_path / "out")
+        assert result["passed"] is False and result["mismatches"] > 0
+        assert "expected" in result["first_mismatch"] or "surplus" in result["first_mismatch"]
+
+
+def test_failure_is_reported_in_full(ghdl, pair, tmp_path):
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", *FAULTS["one winner's place wrong"])
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, "--wave", tmp_path / "wave.ghw")
+    assert process.returncode == 1
+    assert "FAIL: tiny in ghdl" in process.stdout
+    for word in ("clock", "x ", "y ", "expected disparity 7", "got disparity 6"):
+        assert word in process.stdout
+    assert (tmp_path / "wave.ghw").stat().st_size > 1000
+    failure = xml.parse(tmp_path / "out" / "junit.xml").getroot().find("testcase/failure")
+    assert "expected disparity 7" in failure.get("message")
+
+
+def test_fault_is_caught_in_verilator(verilator, pair, tmp_path):
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", *FAULTS["register dropped"])
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, "--simulator", "verilator")
+    assert process.returncode == 1
+    assert report(tmp_path / "out")["mismatches"] > 0
+
+
+def test_undefined_output_is_caught(ghdl, pair, tmp_path):
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", r"disparity_valid <= .*;", "disparity_valid <= 'X';")
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl)
+    assert process.returncode == 1
+    assert "got disparity X" in process.stdout
+
+
+def test_silent_core_is_caught(ghdl, pair, tmp_path):
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", r"disparity_valid <= .*;", "disparity_valid <= '0';")
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl)
+    assert process.returncode == 1
+    assert report(tmp_path / "out")["compared"] == 0
+
+
+def test_hanging_simulation_is_stopped(ghdl, pair, tmp_path):
+    endless = "disparity_valid <= '0';\n  process begin loop end loop; end process;"
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", r"disparity_valid <= .*;", endless)
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, "--watchdog", "3")
+    assert process.returncode == 4
+    assert "made no progress for 3 s and was stopped" in process.stderr
+    assert not (tmp_path / "out" / "report.json").exists()

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""With Bambu installed: regenerating changes nothing, and the lowered design runs like the tool's own."""
+
+import pytest
+from conftest import need
+from flow import manifest, tools
+from flow_commands import call, cosim, random_pair, report
+
+CONFIGURATIONS = sorted(tools.configurations())
+
+
+@pytest.fixture(scope="module")
+def regenerated(tmp_path_factory):
+    """Every configuration synthesised anew, into another folder."""
+    need("bambu", "BAMBU")
+    if call("synthesize.py", "--check").returncode != 0:
+        pytest.fail("the committed VHDL is stale; see flow.manifest")
+    folder = tmp_path_factory.mktemp("rtl")
+    process = call("synthesize.py", "--out", folder)
+    assert process.returncode == 0, process.stderr
+    return folder
+
+
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_regenerating_gives_the_committed_files(regenerated, name):
+    committed, new = tools.GENERATED_RTL / name, regenerated / name
+    if manifest.read(committed)["tool"] != manifest.read(new)["tool"]:
+        pytest.skip(f"SKIP: {manifest.read(committed)['tool']} is not installed, {manifest.read(new)['tool']} is")
+    for path in sorted(committed.glob("*")):
+        if path.name != "implementation.json":
+            assert path.read_bytes() == (new / path.name).read_bytes(), f"{path.name} differs"
+
+
+def test_twice_gives_the_same_digest(regenerated, tmp_path):
+    assert call("synthesize.py", "--config", "tiny", "--out", tmp_path).returncode == 0
+    assert manifest.read(tmp_path / "tiny") == manifest.read(regenerated / "tiny")
+
+
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_the_loop_is_one_state_and_every_register_has_its_name(regenerated, name):
+    figures = manifest.read(regenerated / name)["tool_report"]
+    assert figures["loop_states"] == 1
+    assert figures["registers_named"] == figures["registers"]
+
+
+@pytest.mark.parametrize("name,options", [("tiny", ["--frames", 2]), ("ambrosch2007", ["--rows", "0:3"])])
+def test_original_and_lowered_design_agree_with_the_core_clock_by_clock(ghdl, regenerated, tmp_path, name, options):
+    pair = random_pair(tmp_path / "pair", name, levels=16)
+    for simulator in ("original", "ghdl"):
+        process = cosim(name, pair, tmp_path / simulator, "--simulator", simulator, "--stall-percent", 15, *options)
+        assert process.returncode == 0, process.stdout + process.stderr
+        assert report(tmp_path / simulator)["mismatches"] == 0
