@@ -5,32 +5,38 @@
 
 namespace stereo {
 
-/// Holds the D left pixels of B rows that the right pixels are compared with. 1 clock. Registers: B*(D+1) x 8 bits.
-template <const StereoConfig& C>
+/// Holds the left pixels that the right pixels of one column are compared with, for `Count` neighbouring disparities.
+/// 1 clock. Registers: taps x (Count + 2) x 8 bits.
+///
+/// Shifts are chained: the next one, for the disparities below these, takes `left_out`, `right` and `tag` one clock
+/// later. So no pixel has to reach more than `Count` subtractors in one clock.
+template <const StereoConfig& C, int Count>
 struct DisparityShift {
-   static constexpr int kRows = C.window_px;
-   static constexpr int kDisparities = C.disparities;
+   static constexpr int kTaps = C.tap_rows();
 
-   uint8_t left[kRows][kDisparities];  ///< [k][d]: L(x+d) of the row k above the newest
-   uint8_t right[kRows];               ///< [k]: R(x)
+   uint8_t left[kTaps][Count];  ///< [t][i]: L(x + first + i) of tap t, first = the lowest disparity here
+   uint8_t right[kTaps];        ///< [t]: R(x)
+   uint8_t left_out[kTaps];     ///< [t]: the left pixel that has just left
    PixelTag tag;
 
-   inline DisparityShift() {
+   HLS_INLINE DisparityShift() {
       HLS_UNROLL
-      for (int k = 0; k < kRows; ++k) fill<uint8_t>(left[k], 0);
+      for (int t = 0; t < kTaps; ++t) fill<uint8_t>(left[t], 0);
       fill<uint8_t>(right, 0);
+      fill<uint8_t>(left_out, 0);
    }
 
-   inline void clock(const LineBuffer<C>& rows) {
-      const bool move = rows.tag.valid;
+   HLS_INLINE void clock(const uint8_t (&left_in)[kTaps], const uint8_t (&right_in)[kTaps], const PixelTag& tag_in) {
+      const bool move = tag_in.valid;
       HLS_UNROLL
-      for (int k = 0; k < kRows; ++k) {
+      for (int t = 0; t < kTaps; ++t) {
+         left_out[t] = left[t][0];
          HLS_UNROLL
-         for (int d = 0; d < kDisparities - 1; ++d) left[k][d] = select<uint8_t>(move, left[k][d + 1], left[k][d]);
-         left[k][kDisparities - 1] = select<uint8_t>(move, rows.left[k], left[k][kDisparities - 1]);
-         right[k] = rows.right[k];
+         for (int i = 0; i < Count - 1; ++i) left[t][i] = select<uint8_t>(move, left[t][i + 1], left[t][i]);
+         left[t][Count - 1] = select<uint8_t>(move, left_in[t], left[t][Count - 1]);
+         right[t] = right_in[t];
       }
-      tag = rows.tag;
+      tag = tag_in;
    }
 };
 

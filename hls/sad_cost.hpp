@@ -5,47 +5,114 @@
 
 namespace stereo {
 
-/// Sums the absolute differences of a column of B pixels for every disparity. 2 clocks: differences, then their sum.
-template <const StereoConfig& C>
+/// Sums the absolute differences of a column of B pixels, for P windows one below the other and `Count` disparities.
+/// C.cost_clocks clocks.
+///
+/// Three steps: differences; sums of neighbouring taps (1,2), (3,4), ...; column sums. Every window holds (B-1)/2 whole
+/// pairs and one single tap above or below them, so the windows share the pairs: 3 additions for 2 columns of 3 pixels
+/// instead of 4.
+///
+/// |a - b| is d = a - b where d is not negative and its complement plus 1 where it is. The plus 1 costs nothing where
+/// it enters the carry of an addition that is there anyway. A pair has one carry for two taps, so its second tap is
+/// subtracted both ways instead.
+template <const StereoConfig& C, int Count>
 struct SadCost {
-   static constexpr int kRows = C.window_px;
-   static constexpr int kDisparities = C.disparities;
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kTaps = C.tap_rows();
+   static constexpr int kPairs = (kTaps - 1) / 2;
+   static constexpr int kRadius = C.radius_px();
 
-   uint8_t difference[kRows][kDisparities];  ///< |R(x) - L(x+d)| of the row k above the newest, 0 ... 255
-   PixelTag tag_before;
-   uint16_t column[kDisparities];  ///< column cost, 0 ... 255*B; 0 outside the cost columns 0 ... W-D
+   int16_t difference[kTaps][Count];  ///< L(x+d) - R(x), -255 ... 255
+   uint8_t reverse[kPairs][Count];    ///< R(x) - L(x+d) of the second tap of a pair, where that is not negative
+   PixelTag difference_tag;
+   uint16_t pair[kPairs][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, 0 ... 510
+   uint8_t single[kTaps][Count];  ///< |d|, less 1 where the difference is negative; only of the taps that stand alone
+   bool negative[kTaps][Count];
+   PixelTag pair_tag;
+   uint16_t column[kPixels][Count];  ///< column costs, 0 ... 255*B; 0 outside the cost columns 0 ... W-D
    PixelTag tag;
 
-   inline SadCost() {
+   HLS_INLINE SadCost() {
       HLS_UNROLL
-      for (int k = 0; k < kRows; ++k) fill<uint8_t>(difference[k], 0);
-      fill<uint16_t>(column, 0);
+      for (int t = 0; t < kTaps; ++t) {
+         fill<int16_t>(difference[t], 0);
+         fill<uint8_t>(single[t], 0);
+         fill(negative[t], false);
+      }
+      HLS_UNROLL
+      for (int j = 0; j < kPairs; ++j) {
+         fill<uint8_t>(reverse[j], 0);
+         fill<uint16_t>(pair[j], 0);
+      }
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) fill<uint16_t>(column[p], 0);
    }
 
-   /// One wide difference and its sign. `a > b ? a - b : b - a` would come out as an 8-bit comparison in single bits.
-   static inline uint8_t absolute_difference(uint8_t a, uint8_t b) {
-      const int16_t difference = int16_t(a) - int16_t(b);
-      const int16_t sign = difference >> 15;
-      return uint8_t((difference ^ sign) - sign);
+   /// Steps in reverse order have registers between them; steps in order share a clock.
+   HLS_INLINE void clock(const DisparityShift<C, Count>& shift) {
+      if constexpr (C.cost_clocks == 3) {
+         add_columns();
+         add_pairs();
+         subtract(shift);
+      } else if constexpr (C.cost_clocks == 2) {
+         add_pairs();
+         add_columns();
+         subtract(shift);
+      } else {
+         subtract(shift);
+         add_pairs();
+         add_columns();
+      }
    }
 
-   inline void clock(const DisparityShift<C>& shift) {
+  private:
+   HLS_INLINE void subtract(const DisparityShift<C, Count>& shift) {
       HLS_UNROLL
-      for (int d = 0; d < kDisparities; ++d) {
-         uint16_t sum = 0;
+      for (int i = 0; i < Count; ++i) {
          HLS_UNROLL
-         for (int k = 0; k < kRows; ++k) sum += difference[k][d];
-         column[d] = select<uint16_t>(tag_before.cost_column, sum, 0);
+         for (int t = 0; t < kTaps; ++t) difference[t][i] = int16_t(shift.left[t][i] - shift.right[t]);
+         HLS_UNROLL
+         for (int j = 0; j < kPairs; ++j) reverse[j][i] = uint8_t(shift.right[2 * j + 2] - shift.left[2 * j + 2][i]);
       }
-      tag = tag_before;
+      difference_tag = shift.tag;
+   }
 
+   /// d, or its complement where it is negative: 0 ... 255.
+   static HLS_INLINE uint8_t folded(int16_t d) { return uint8_t(d ^ (d >> 15)); }
+
+   HLS_INLINE void add_pairs() {
       HLS_UNROLL
-      for (int k = 0; k < kRows; ++k) {
+      for (int i = 0; i < Count; ++i) {
          HLS_UNROLL
-         for (int d = 0; d < kDisparities; ++d)
-            difference[k][d] = absolute_difference(shift.left[k][d], shift.right[k]);
+         for (int j = 0; j < kPairs; ++j) {
+            const int16_t first = difference[2 * j + 1][i], second = difference[2 * j + 2][i];
+            const uint8_t exact = select<uint8_t>(second < 0, reverse[j][i], uint8_t(second));
+            pair[j][i] = uint16_t(folded(first) + exact + uint16_t(first < 0));
+         }
+         HLS_UNROLL
+         for (int t = 0; t < kTaps; ++t) {
+            single[t][i] = folded(difference[t][i]);
+            negative[t][i] = difference[t][i] < 0;
+         }
       }
-      tag_before = shift.tag;
+      pair_tag = difference_tag;
+   }
+
+   /// Window p covers the taps p ... p+2r. Even p: tap p, then whole pairs; odd p: whole pairs, then tap p+2r.
+   HLS_INLINE void add_columns() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const int alone = p % 2 == 0 ? p : p + 2 * kRadius;
+         const int first_pair = p / 2;
+         HLS_UNROLL
+         for (int i = 0; i < Count; ++i) {
+            uint16_t sum = uint16_t(pair[first_pair][i] + single[alone][i] + uint16_t(negative[alone][i]));
+            HLS_UNROLL
+            for (int j = 1; j < kRadius; ++j) sum = uint16_t(sum + pair[first_pair + j][i]);
+            column[p][i] = select<uint16_t>(pair_tag.border_column, 0, sum);
+         }
+      }
+      tag = pair_tag;
    }
 };
 

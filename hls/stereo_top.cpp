@@ -4,12 +4,16 @@
 #include "stereo_core.hpp"
 
 namespace {
+constexpr int kPixels = stereo::configurations::STEREO_CONFIGURATION.pixels_per_clock;
 using Core = stereo::StereoCore<stereo::configurations::STEREO_CONFIGURATION>;
+using Pixels = stereo::uint_of_bits<8 * kPixels>;
 // Static, so that they start with zeros in hardware too.
 Core::ReferenceMemory reference_memory;
-Core::RowMemory row_memory;
+Core::RowMemory left_memory;
+Core::RowMemory right_memory;
 }  // namespace
 
+/// Pixels: bits 8p+7 ... 8p are row p of the group.
 #pragma HLS interface port = left_pixel mode = none
 #pragma HLS interface port = right_pixel mode = none
 #pragma HLS interface port = start_of_frame mode = none
@@ -18,21 +22,28 @@ Core::RowMemory row_memory;
 #pragma HLS interface port = disparity_valid mode = none
 #pragma HLS interface port = disparity_start_of_frame mode = none
 #pragma HLS interface port = disparity_end_of_line mode = none
-extern "C" void stereo_core(volatile uint8_t* left_pixel, volatile uint8_t* right_pixel, volatile bool* start_of_frame,
-                            volatile bool* valid, volatile uint8_t* disparity, volatile bool* disparity_valid,
+extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_pixel, volatile bool* start_of_frame,
+                            volatile bool* valid, volatile Pixels* disparity, volatile bool* disparity_valid,
                             volatile bool* disparity_start_of_frame, volatile bool* disparity_end_of_line) {
-   Core core(reference_memory, row_memory);
+   Core core(reference_memory, left_memory, right_memory);
 #pragma nounroll
    while (true) {
       // Volatile accesses keep their order, and a read after a write or after the core's memory accesses costs a state:
       // all inputs first, then all outputs, then the clock.
+      const Pixels left = *left_pixel;
+      const Pixels right = *right_pixel;
       stereo::StereoInput in;
-      in.left = *left_pixel;
-      in.right = *right_pixel;
       in.start_of_frame = *start_of_frame;
       in.valid = *valid;
       const stereo::StereoOutput out = core.output();
-      *disparity = out.disparity;
+      Pixels word = 0;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         in.left[p] = uint8_t(left >> (8 * p));
+         in.right[p] = uint8_t(right >> (8 * p));
+         word |= Pixels(Pixels(out.disparity[p]) << (8 * p));
+      }
+      *disparity = word;
       *disparity_valid = out.valid;
       *disparity_start_of_frame = out.start_of_frame;
       *disparity_end_of_line = out.end_of_line;

@@ -6,29 +6,33 @@
 
 namespace stereo {
 
-/// One pixel pair of a rectified stereo pair, in raster order, row 0 first.
+/// Most pixel pairs that a core takes in one clock. A core with fewer leaves the other elements alone.
+inline constexpr int kMostPixels = 4;
+
+/// One column of P neighbouring rows of a rectified stereo pair. Columns come in raster order: column 0 ... W-1 of the
+/// first P rows, then of the next P rows.
 struct StereoInput {
-   uint8_t left = 0;             ///< grey value 0 ... 255
-   uint8_t right = 0;            ///< grey value 0 ... 255
-   bool start_of_frame = false;  ///< this is the pair at column 0 of row 0
-   bool valid = false;           ///< false: a bubble; the core ignores the rest of the record
+   uint8_t left[kMostPixels] = {};   ///< grey values 0 ... 255, [0] is the upper row
+   uint8_t right[kMostPixels] = {};  ///< grey values 0 ... 255
+   bool start_of_frame = false;      ///< this is column 0 of the first rows
+   bool valid = false;               ///< false: a bubble; the core ignores the rest of the record
 };
 
-/// One pixel of the disparity map, in raster order; W-D pixels a row, H rows.
+/// One column of P neighbouring rows of the disparity map, in the same order; W-D columns, H rows.
 struct StereoOutput {
-   uint8_t disparity = 0;        ///< 0 ... D-1, in pixels
-   bool start_of_frame = false;  ///< this is the pixel at column 0 of row 0
-   bool end_of_line = false;     ///< this is the last pixel of its row
-   bool valid = false;           ///< false: no pixel leaves in this clock
+   uint8_t disparity[kMostPixels] = {};  ///< 0 ... D-1, in pixels
+   bool start_of_frame = false;          ///< this is column 0 of the first rows
+   bool end_of_line = false;             ///< this is the last column of its rows
+   bool valid = false;                   ///< false: no pixel leaves in this clock
 };
 
-/// What a pixel carries through the pipeline beside its data.
+/// What a column carries through the pipeline beside its data.
 struct PixelTag {
-   bool valid = false;           ///< a pixel pair, not a bubble: blocks with history move only then
-   bool cost_column = false;     ///< the pair completes a cost column 0 ... W-D
-   bool output_column = false;   ///< that cost column is the centre of an output pixel: 0 ... W-D-1, in an output row
-   bool start_of_frame = false;  ///< the output pixel at column 0 of row 0
-   bool end_of_line = false;     ///< the output pixel in column W-D-1
+   bool valid = false;           ///< pixel pairs, not a bubble: blocks with history move only then
+   bool border_column = false;   ///< no cost column 0 ... W-D is complete: its costs count 0
+   bool output_column = false;   ///< the cost column is the centre of an output pixel: 0 ... W-D-1, in an output row
+   bool start_of_frame = false;  ///< the output column 0 of the first rows
+   bool end_of_line = false;     ///< the output column W-D-1
 };
 
 }  // namespace stereo

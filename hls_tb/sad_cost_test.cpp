@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <deque>
 #include <vector>
 
 #include "models/random.hpp"
@@ -13,52 +14,71 @@
 namespace stereo::test {
 namespace {
 
-TEST(SadCost, AbsoluteDifferenceOfAllPairs) {
-   for (int a = 0; a < 256; ++a)
-      for (int b = 0; b < 256; ++b)
-         ASSERT_EQ(SadCost<configurations::tiny>::absolute_difference(uint8_t(a), uint8_t(b)), std::abs(a - b))
-             << "a=" << a << " b=" << b;
-}
-
 template <class Config>
 class SadCostTest : public ::testing::Test {};
-TYPED_TEST_SUITE(SadCostTest, SmallConfigs);
+TYPED_TEST_SUITE(SadCostTest, SmallConfigs, ConfigNames);
 
-template <const StereoConfig& C>
-void sums_a_column_two_clocks_later() {
-   constexpr int D = C.disparities, B = C.window_px;
-   Random random(test_seed());
-   DisparityShift<C> shift;
-   SadCost<C> cost;
-   struct Step {
-      PixelTag tag;
-      std::vector<int> column = std::vector<int>(D, 0);
-   };
-   Step before;
-   for (int clock = 0; clock < 200; ++clock) {
-      Step now;
-      now.tag.valid = !random.percent(25);
-      now.tag.cost_column = random.percent(75);
-      now.tag.output_column = random.percent(50);
-      const bool saturated = random.percent(20);
-      for (int k = 0; k < B; ++k) {
-         shift.right[k] = saturated ? 255 : random.byte();
-         for (int d = 0; d < D; ++d) {
-            shift.left[k][d] = saturated ? 0 : random.byte();
-            if (now.tag.cost_column) now.column[std::size_t(d)] += std::abs(shift.right[k] - shift.left[k][d]);
+TYPED_TEST(SadCostTest, AbsoluteDifferenceOfAllPairs) {
+   static constexpr StereoConfig C = TypeParam::kConfig;
+   DisparityShift<C, 2> shift;
+   SadCost<C, 2> cost;
+   for (int t = 0; t < C.tap_rows(); ++t) {
+      for (int a = 0; a < 256; ++a)
+         for (int b = 0; b < 256; ++b) {
+            shift.left[t][0] = shift.right[t] = uint8_t(a);  // no difference, whatever the grey value
+            shift.left[t][1] = uint8_t(b);
+            for (int clock = 0; clock < C.cost_clocks; ++clock) cost.clock(shift);
+            for (int p = 0; p < C.pixels_per_clock; ++p) {
+               const bool covered = t >= p && t <= p + 2 * C.radius_px();
+               ASSERT_EQ(cost.column[p][0], 0) << "lane " << p << " t=" << t << " a=" << a;
+               ASSERT_EQ(cost.column[p][1], covered ? std::abs(a - b) : 0)
+                   << "lane " << p << " t=" << t << " a=" << a << " b=" << b;
+            }
          }
-      }
-      shift.tag = now.tag;
-      cost.clock(shift);
-      ASSERT_EQ(cost.tag.valid, before.tag.valid) << "clock " << clock;
-      ASSERT_EQ(cost.tag.output_column, before.tag.output_column) << "clock " << clock;
-      for (int d = 0; d < D; ++d)
-         ASSERT_EQ(cost.column[d], before.column[std::size_t(d)]) << "clock " << clock << " d=" << d;
-      before = now;
+      shift.left[t][1] = shift.right[t];
    }
 }
 
-TYPED_TEST(SadCostTest, SumsAColumnTwoClocksLater) { sums_a_column_two_clocks_later<TypeParam::kConfig>(); }
+TYPED_TEST(SadCostTest, SumsTheColumnOfEachWindow) {
+   static constexpr StereoConfig C = TypeParam::kConfig;
+   constexpr int kCount = C.largest_slice(), kTaps = C.tap_rows(), P = C.pixels_per_clock;
+   Random random(test_seed());
+   DisparityShift<C, kCount> shift;
+   SadCost<C, kCount> cost;
+   struct Step {
+      PixelTag tag;
+      std::vector<int> column = std::vector<int>(P * kCount, 0);  ///< [p][i]
+   };
+   std::deque<Step> pipeline(C.cost_clocks - 1);  // reset: no differences came before
+   for (int clock = 0; clock < 300; ++clock) {
+      Step now;
+      now.tag.valid = !random.percent(25);
+      now.tag.border_column = random.percent(25);
+      now.tag.output_column = random.percent(50);
+      const bool saturated = random.percent(20), left_is_white = random.percent(50);
+      for (int t = 0; t < kTaps; ++t) {
+         shift.right[t] = saturated ? (left_is_white ? 0 : 255) : random.byte();
+         for (int i = 0; i < kCount; ++i) {
+            shift.left[t][i] = saturated ? (left_is_white ? 255 : 0) : random.byte();
+            if (now.tag.border_column) continue;
+            for (int p = 0; p < P; ++p)
+               if (t >= p && t < p + C.window_px)
+                  now.column[std::size_t(p * kCount + i)] += std::abs(shift.right[t] - shift.left[t][i]);
+         }
+      }
+      shift.tag = now.tag;
+      pipeline.push_back(now);
+      cost.clock(shift);
+      const Step expected = pipeline.front();
+      pipeline.pop_front();
+      ASSERT_EQ(cost.tag.valid, expected.tag.valid) << "clock " << clock;
+      ASSERT_EQ(cost.tag.output_column, expected.tag.output_column) << "clock " << clock;
+      for (int p = 0; p < P; ++p)
+         for (int i = 0; i < kCount; ++i)
+            ASSERT_EQ(cost.column[p][i], expected.column[std::size_t(p * kCount + i)])
+                << "clock " << clock << " lane " << p << " i=" << i;
+   }
+}
 
 }  // namespace
 }  // namespace stereo::test

@@ -43,14 +43,14 @@ std::vector<CoreOutput> last_frame(const std::vector<CoreOutput>& outputs) {
 
 template <class Config>
 class StereoCoreStreamTest : public ::testing::Test {};
-TYPED_TEST_SUITE(StereoCoreStreamTest, SmallConfigs);
+TYPED_TEST_SUITE(StereoCoreStreamTest, SmallConfigs, ConfigNames);
 
 template <const StereoConfig& C>
 void frames_back_to_back_equal_frames_alone() {
    const std::vector<ImagePair> pairs = some_pairs<C>(3);
    for (const int frames : {2, 3})
       for (const int stall_percent : {0, 40}) {
-         StimulusWriter writer(stall_percent, test_seed());
+         StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
          for (int i = 0; i < frames; ++i) writer.rows(pairs[std::size_t(i)], {0, C.height_px});
          writer.flush(C);
          const auto maps = collect_frames(run<C>(writer), C);
@@ -66,15 +66,15 @@ TYPED_TEST(StereoCoreStreamTest, FramesBackToBackEqualFramesAlone) {
 }
 
 template <const StereoConfig& C>
-void flush_rows_and_next_frame_rows_give_the_same() {
+void flush_groups_and_next_frame_groups_give_the_same() {
    const std::vector<ImagePair> pairs = some_pairs<C>(2);
-   StimulusWriter flushed(0, test_seed());
+   StimulusWriter flushed(C.pixels_per_clock, 0, test_seed());
    for (const ImagePair& pair : pairs) {
       flushed.rows(pair, {0, C.height_px});
-      flushed.random_pairs(C.radius_px() * C.width_px);
+      flushed.random_records(C.delay_groups() * C.width_px);
    }
-   flushed.random_pairs(C.radius_px());
-   StimulusWriter back_to_back(0, test_seed());
+   flushed.random_records(C.radius_px());
+   StimulusWriter back_to_back(C.pixels_per_clock, 0, test_seed());
    for (const ImagePair& pair : pairs) back_to_back.rows(pair, {0, C.height_px});
    back_to_back.flush(C);
    const auto expected = collect_frames(run<C>(back_to_back), C);
@@ -85,29 +85,32 @@ void flush_rows_and_next_frame_rows_give_the_same() {
    EXPECT_TRUE(same_map(expected[1], got[1]));
 }
 
-TYPED_TEST(StereoCoreStreamTest, FlushRowsAndNextFrameRowsGiveTheSame) {
-   flush_rows_and_next_frame_rows_give_the_same<TypeParam::kConfig>();
+TYPED_TEST(StereoCoreStreamTest, FlushGroupsAndNextFrameGroupsGiveTheSame) {
+   flush_groups_and_next_frame_groups_give_the_same<TypeParam::kConfig>();
 }
 
 template <const StereoConfig& C>
 void a_start_of_frame_restarts_at_any_place() {
    const std::vector<ImagePair> pairs = some_pairs<C>(3);
-   const int frame = C.width_px * C.height_px, flush = C.radius_px() * (C.width_px + 1);
+   StimulusWriter whole(C.pixels_per_clock, 0, test_seed());
+   whole.rows(pairs[1], {0, C.height_px});
+   const int frame = int(whole.clocks.size());
+   whole.flush(C);
+   const int with_flush = int(whole.clocks.size());
    Random random(test_seed());
    for (int round = 0; round < 40; ++round) {
       const bool follows_a_frame = random.percent(50);
-      const int sent = 1 + random.below(frame + flush);  // up to and into the flush rows
-      StimulusWriter writer(20, test_seed());
+      const int sent = 1 + random.below(with_flush);  // up to and into the flush groups
+      StimulusWriter writer(C.pixels_per_clock, 20, test_seed());
       if (follows_a_frame) writer.rows(pairs[0], {0, C.height_px});
-      for (int i = 0; i < std::min(sent, frame); ++i)
-         writer.pair(pairs[1].left.pixels[std::size_t(i)], pairs[1].right.pixels[std::size_t(i)], i == 0);
-      writer.random_pairs(std::max(0, sent - frame));
+      for (int i = 0; i < std::min(sent, frame); ++i) writer.record(whole.clocks[std::size_t(i)]);
+      writer.random_records(std::max(0, sent - frame));
       writer.rows(pairs[2], {0, C.height_px});
       writer.flush(C);
       const auto maps = collect_frames(last_frame(run<C>(writer)), C);
       ASSERT_EQ(maps.size(), 1u);
       EXPECT_TRUE(same_map(reference<C>(pairs[2]), maps[0]))
-          << sent << " pairs before, after a frame: " << follows_a_frame;
+          << sent << " records before, after a frame: " << follows_a_frame;
    }
 }
 
@@ -117,11 +120,11 @@ TYPED_TEST(StereoCoreStreamTest, AStartOfFrameRestartsAtAnyPlace) {
 
 template <const StereoConfig& C>
 void is_silent_outside_frames() {
-   StimulusWriter writer(20, test_seed());
-   writer.random_pairs(3 * C.width_px * C.height_px);
+   StimulusWriter writer(C.pixels_per_clock, 20, test_seed());
+   writer.random_records(3 * C.width_px * C.height_px);
    EXPECT_EQ(run<C>(writer).size(), 0u) << "before the first start of frame";
    writer.rows(some_pairs<C>(1)[0], {0, C.height_px});
-   writer.random_pairs(3 * C.width_px * C.height_px);
+   writer.random_records(3 * C.width_px * C.height_px);
    EXPECT_EQ(collect_frames(run<C>(writer), C).size(), 1u) << "long after the frame's end";
 }
 
@@ -130,18 +133,19 @@ TYPED_TEST(StereoCoreStreamTest, IsSilentOutsideFrames) { is_silent_outside_fram
 template <const StereoConfig& C>
 void latency_is_the_constant_with_and_without_stalls() {
    for (const int stall_percent : {0, 50}) {
-      StimulusWriter writer(stall_percent, test_seed());
+      StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
       writer.rows(some_pairs<C>(1)[0], {0, C.height_px});
       writer.flush(C);
       const auto outputs = run<C>(writer);
-      std::vector<uint64_t> clock_of_pair;
+      std::vector<uint64_t> clock_of_record;
       for (uint64_t clock = 0; clock < writer.clocks.size(); ++clock)
-         if (writer.clocks[clock].valid) clock_of_pair.push_back(clock);
-      ASSERT_EQ(outputs.size(), std::size_t(C.output_width_px() * C.output_height_px()));
+         if (writer.clocks[clock].valid) clock_of_record.push_back(clock);
+      ASSERT_EQ(outputs.size(), std::size_t(C.output_width_px() * C.row_groups()));
       for (const CoreOutput& output : outputs) {
-         // The last pair of the window: r rows below the centre, D-1+r columns to the right.
-         const int last_pair = (output.y + C.radius_px()) * C.width_px + output.x + C.disparities - 1 + C.radius_px();
-         ASSERT_EQ(output.clock, clock_of_pair[std::size_t(last_pair)] + uint64_t(StereoCore<C>::kLatency))
+         // The last record of the windows: delay_groups below the centres, D-1+r columns to the right.
+         const int last_record = (output.y / C.pixels_per_clock + C.delay_groups()) * C.width_px + output.x +
+                                 C.disparities - 1 + C.radius_px();
+         ASSERT_EQ(output.clock, clock_of_record[std::size_t(last_record)] + uint64_t(StereoCore<C>::kLatency))
              << "x=" << output.x << " y=" << output.y << ", " << stall_percent << " % stalls";
       }
    }
@@ -151,17 +155,18 @@ TYPED_TEST(StereoCoreStreamTest, LatencyIsTheConstantWithAndWithoutStalls) {
    latency_is_the_constant_with_and_without_stalls<TypeParam::kConfig>();
 }
 
-TEST(StereoCoreStream, AFrameCostsNotOneClockMoreThanItsPixels) {
-   const ImagePair pair = some_pairs<configurations::tiny>(1)[0];
-   StimulusWriter writer(0, test_seed());
-   for (int i = 0; i < 3; ++i) writer.rows(pair, {0, configurations::tiny.height_px});
-   writer.flush(configurations::tiny);
+TYPED_TEST(StereoCoreStreamTest, AFrameCostsNotOneClockMoreThanItsPixels) {
+   constexpr const StereoConfig& C = TypeParam::kConfig;
+   const ImagePair pair = some_pairs<TypeParam::kConfig>(1)[0];
+   StimulusWriter writer(C.pixels_per_clock, 0, test_seed());
+   for (int i = 0; i < 3; ++i) writer.rows(pair, {0, C.height_px});
+   writer.flush(C);
    std::vector<uint64_t> starts;
-   for (const CoreOutput& output : run<configurations::tiny>(writer))
+   for (const CoreOutput& output : run<TypeParam::kConfig>(writer))
       if (output.start_of_frame) starts.push_back(output.clock);
    ASSERT_EQ(starts.size(), 3u);
-   EXPECT_EQ(starts[1] - starts[0], uint64_t(configurations::tiny.width_px * configurations::tiny.height_px));
-   EXPECT_EQ(starts[2] - starts[1], uint64_t(configurations::tiny.width_px * configurations::tiny.height_px));
+   EXPECT_EQ(starts[1] - starts[0], uint64_t(C.width_px * C.height_px / C.pixels_per_clock));
+   EXPECT_EQ(starts[2] - starts[1], uint64_t(C.width_px * C.height_px / C.pixels_per_clock));
 }
 
 }  // namespace

@@ -18,54 +18,83 @@ namespace {
 
 template <const StereoConfig& C>
 std::vector<StereoInput> frame_clocks(const ImagePair& pair, int stall_percent) {
-   StimulusWriter writer(stall_percent, test_seed());
+   StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
    writer.rows(pair, {0, C.height_px});
    writer.flush(C);
    writer.drain(StereoCore<C>::kLatency);
    return writer.clocks;
 }
 
-/// Gathers what two stages of the core show, in the order in which they show it.
-template <const StereoConfig& C>
-struct StageRecorder {
-   std::vector<int> columns, sums;
+/// What one stage shows of `Count` disparities, in the order in which it shows it.
+template <int Pixels, int Count>
+struct StageValues {
+   std::vector<uint16_t> values;  ///< [record][lane][disparity]
 
-   void operator()(const StereoCore<C>& core) {
-      if (core.cost.tag.valid && core.cost.tag.cost_column)
-         columns.insert(columns.end(), std::begin(core.cost.column), std::end(core.cost.column));
-      if (core.window.tag.valid && core.window.tag.output_column)
-         sums.insert(sums.end(), std::begin(core.window.sum), std::end(core.window.sum));
+   void append(const uint16_t (&shown)[Pixels][Count]) {
+      for (const auto& lane : shown) values.insert(values.end(), std::begin(lane), std::end(lane));
    }
+   /// Puts them where they belong, the disparities from `first` on; `above` groups of rows come before the image.
+   void place(int above, int first, CostVolume& volume) const {
+      ASSERT_EQ(values.size(), std::size_t((above * Pixels + volume.height) * volume.width * Count));
+      std::size_t i = std::size_t(above * Pixels * volume.width * Count);
+      for (int y = 0; y < volume.height; y += Pixels)
+         for (int x = 0; x < volume.width; ++x)
+            for (int p = 0; p < Pixels; ++p)
+               for (int d = 0; d < Count; ++d) volume.at(x, y + p, first + d) = values[i++];
+   }
+};
+
+/// Gathers what the stages of a slice, and of those below it, show.
+template <const StereoConfig& C, int Disparities>
+struct StageRecorder {
+   using Slice = DisparitySlice<C, Disparities>;
+
+   StageValues<C.pixels_per_clock, Slice::kCount> columns, sums;
+   StageRecorder<C, Slice::kFirst> below;
+
+   void record(const Slice& slice) {
+      if (slice.cost.tag.valid && !slice.cost.tag.border_column) columns.append(slice.cost.column);
+      if (slice.window.tag.valid && slice.window.tag.output_column) sums.append(slice.window.sum);
+      below.record(slice.next);
+   }
+   void place_columns(CostVolume& volume) const {
+      columns.place(C.delay_groups(), Slice::kFirst, volume);
+      below.place_columns(volume);
+   }
+   void place_sums(CostVolume& volume) const {
+      sums.place(0, Slice::kFirst, volume);
+      below.place_sums(volume);
+   }
+};
+
+template <const StereoConfig& C>
+struct StageRecorder<C, 0> {
+   void record(const DisparitySlice<C, 0>&) {}
+   void place_columns(CostVolume&) const {}
+   void place_sums(CostVolume&) const {}
 };
 
 template <const StereoConfig& C>
 void expect_exact(const ImagePair& pair, int stall_percent) {
    const CostVolume costs = pixel_costs(pair.left, pair.right, {C.disparities, C.window_px});
-   const CostVolume expected_columns = column_sums(costs, C.window_px);
    const CostVolume expected_sums = window_sums(costs, C.window_px);
 
-   StageRecorder<C> stages;
-   const auto outputs = run_core<C>(frame_clocks<C>(pair, stall_percent), std::ref(stages));
+   StageRecorder<C, C.disparities> stages;
+   const auto outputs = run_core<C>(frame_clocks<C>(pair, stall_percent),
+                                    [&stages](const StereoCore<C>& core) { stages.record(core.slices); });
 
    CostVolume columns(C.width_px - C.disparities + 1, C.height_px, C.disparities);
-   // The first r rows of columns are windows above the image.
-   const std::size_t above = std::size_t(C.radius_px()) * std::size_t(columns.width) * std::size_t(C.disparities);
-   ASSERT_GE(stages.columns.size(), above);
-   columns.values.assign(stages.columns.begin() + std::ptrdiff_t(above), stages.columns.end());
-   EXPECT_TRUE(same_volume(expected_columns, columns)) << "column sums";
+   stages.place_columns(columns);
+   EXPECT_TRUE(same_volume(column_sums(costs, C.window_px), columns)) << "column sums";
 
    CostVolume sums(C.output_width_px(), C.output_height_px(), C.disparities);
-   sums.values = std::move(stages.sums);
+   stages.place_sums(sums);
    EXPECT_TRUE(same_volume(expected_sums, sums)) << "window sums";
 
    const auto maps = collect_frames(outputs, C);
    ASSERT_EQ(maps.size(), 1u);
    EXPECT_TRUE(same_map(winners(expected_sums), maps[0])) << "disparities";
 }
-
-template <class Config>
-class StereoCoreTest : public ::testing::Test {};
-TYPED_TEST_SUITE(StereoCoreTest, SmallConfigs);
 
 template <const StereoConfig& C>
 void equals_the_reference_after_every_stage() {
@@ -76,20 +105,41 @@ void equals_the_reference_after_every_stage() {
       }
 }
 
+template <class Config>
+class StereoCoreTest : public ::testing::Test {};
+TYPED_TEST_SUITE(StereoCoreTest, SmallConfigs, ConfigNames);
+
 TYPED_TEST(StereoCoreTest, EqualsTheReferenceAfterEveryStage) {
    equals_the_reference_after_every_stage<TypeParam::kConfig>();
 }
+
+template <class Config>
+class LargeStereoCoreTest : public ::testing::Test {};
+TYPED_TEST_SUITE(LargeStereoCoreTest, LargeConfigs, ConfigNames);
+
+TYPED_TEST(LargeStereoCoreTest, EqualsTheReferenceAfterEveryStage) {
+   equals_the_reference_after_every_stage<TypeParam::kConfig>();
+}
+
+inline constexpr StereoConfig kAwkward{.width_px = 311, .height_px = 239, .disparities = 37, .winner_group = 7};
 
 TEST(StereoCore, EqualsTheReferenceAtAnAwkwardSize) {
    expect_exact<kAwkward>(random_pair(kAwkward.width_px, kAwkward.height_px, test_seed(), 16), 20);
 }
 
-TEST(StereoCore, EqualsTheReferenceAtThePapersSize) {
-   const SceneOptions options{.width = configurations::ambrosch2007.width_px,
-                              .height = configurations::ambrosch2007.height_px,
-                              .disparities = configurations::ambrosch2007.disparities,
-                              .seed = test_seed()};
-   expect_exact<configurations::ambrosch2007>(make_scene(options).images, 0);
+template <const StereoConfig& C>
+void equals_the_reference_on_a_scene() {
+   const SceneOptions options{
+       .width = C.width_px, .height = C.height_px, .disparities = C.disparities, .seed = test_seed()};
+   expect_exact<C>(make_scene(options).images, 0);
+}
+
+TEST(StereoCore, EqualsTheReferenceAtThePapersSize) { equals_the_reference_on_a_scene<configurations::ambrosch2007>(); }
+TEST(StereoCore, EqualsTheReferenceWithTwoRowsAtOnce) {
+   equals_the_reference_on_a_scene<configurations::ambrosch2007_p2>();
+}
+TEST(StereoCore, EqualsTheReferenceWithFourRowsAtOnce) {
+   equals_the_reference_on_a_scene<configurations::ambrosch2007_p4>();
 }
 
 TEST(StereoCore, FindsAKnownShift) {
@@ -104,6 +154,15 @@ TEST(StereoCore, FindsAKnownShift) {
 }
 
 inline constexpr StereoConfig kTeddy{.width_px = 450, .height_px = 375, .disparities = 60, .window_px = 5};
+/// Its rows as far as they fill groups of four.
+inline constexpr StereoConfig kTeddyTop{
+    .width_px = 450, .height_px = 372, .disparities = 60, .window_px = 5, .pixels_per_clock = 4};
+
+GrayImage top_rows(GrayImage image, int height) {
+   image.height = height;
+   image.pixels.resize(std::size_t(image.width) * std::size_t(height));
+   return image;
+}
 
 TEST(StereoCore, EqualsTheReferenceOnARealPair) {
    const char* const data = std::getenv("STEREO_DATA");
@@ -113,6 +172,7 @@ TEST(StereoCore, EqualsTheReferenceOnARealPair) {
       GTEST_SKIP() << "SKIP: the stereo pair teddy is missing; set STEREO_DATA to the folder that holds teddy/left.png";
    const ImagePair pair = app::load_pair(folder / "left.png", folder / "right.png");
    expect_exact<kTeddy>(pair, 0);
+   expect_exact<kTeddyTop>({top_rows(pair.left, kTeddyTop.height_px), top_rows(pair.right, kTeddyTop.height_px)}, 0);
 
    // The truth, four times the disparity and 0 where unknown: most pixels must be right within one.
    const GrayImage truth = app::load_gray(folder / "disp_right_x4.pgm");

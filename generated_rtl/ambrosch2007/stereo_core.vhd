@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo block-matching core, configuration ambrosch2007: 320x240, 100 disparities, 3x3 window.
+-- Stereo block-matching core, configuration ambrosch2007: 320x240, 100 disparities, 3x3 window, 1 pixel pairs a clock.
 -- Made from hls/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -11,9 +11,9 @@ entity stereo_core is
   port (
     clock : in std_logic;
     reset : in std_logic;  -- synchronous, active high
-    left_pixel : in std_logic_vector(7 downto 0);
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in bits 7 ... 0
     right_pixel : in std_logic_vector(7 downto 0);
-    start_of_frame : in std_logic;  -- with the pixel pair at column 0 of row 0
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
     disparity : out std_logic_vector(7 downto 0);
     disparity_valid : out std_logic;
@@ -27,6 +27,23 @@ architecture rtl of stereo_core is
   begin
     if value < 0 then
       return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
     end if;
     return value;
   end function;
@@ -47,2016 +64,3264 @@ architecture rtl of stereo_core is
     return '0';
   end function;
 
-  signal in_start_of_frame : boolean;
   signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
   signal in_left_pixel : natural range 0 to 255;
   signal in_right_pixel : natural range 0 to 255;
   -- raster
-  signal raster_left, raster_right, raster_row : natural range 0 to 255;
+  signal raster_left_0, raster_right, raster_group : natural range 0 to 255;
   signal raster_valid, raster_next_frame : boolean;
   signal raster_column : natural range 0 to 511;
   -- reference
   signal reference_read_address, reference_write_address : natural range 0 to 127;
-  signal reference_left : natural range 0 to 255;
+  signal reference_left_0 : natural range 0 to 255;
   signal reference_right : unsigned(7 downto 0);
   signal reference_column : natural range 0 to 511;
   signal reference_row_inside_0, reference_row_inside_1, reference_row_inside_2, reference_tag_valid : boolean;
-  signal reference_tag_cost_column, reference_tag_output_column, reference_tag_start_of_frame : boolean;
+  signal reference_tag_border_column, reference_tag_output_column, reference_tag_start_of_frame : boolean;
   signal reference_tag_end_of_line : boolean;
   -- rows
-  signal rows_word : unsigned(31 downto 0);
-  signal rows_newest_left, rows_newest_right, rows_left_0, rows_left_1, rows_left_2 : natural range 0 to 255;
-  signal rows_right_0, rows_right_1, rows_right_2 : natural range 0 to 255;
-  signal rows_write_column : natural range 0 to 511;
-  signal rows_inside_before_0, rows_inside_before_1, rows_inside_before_2, rows_tag_before_valid : boolean;
-  signal rows_tag_before_cost_column, rows_tag_before_output_column, rows_tag_before_start_of_frame : boolean;
-  signal rows_tag_before_end_of_line, rows_tag_valid, rows_tag_cost_column, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
-  -- shift
-  signal shift_left_0_0, shift_left_0_1, shift_left_0_2, shift_left_0_3, shift_left_0_4 : natural range 0 to 255;
-  signal shift_left_0_5, shift_left_0_6, shift_left_0_7, shift_left_0_8, shift_left_0_9 : natural range 0 to 255;
-  signal shift_left_0_10, shift_left_0_11, shift_left_0_12, shift_left_0_13, shift_left_0_14 : natural range 0 to 255;
-  signal shift_left_0_15, shift_left_0_16, shift_left_0_17, shift_left_0_18, shift_left_0_19 : natural range 0 to 255;
-  signal shift_left_0_20, shift_left_0_21, shift_left_0_22, shift_left_0_23, shift_left_0_24 : natural range 0 to 255;
-  signal shift_left_0_25, shift_left_0_26, shift_left_0_27, shift_left_0_28, shift_left_0_29 : natural range 0 to 255;
-  signal shift_left_0_30, shift_left_0_31, shift_left_0_32, shift_left_0_33, shift_left_0_34 : natural range 0 to 255;
-  signal shift_left_0_35, shift_left_0_36, shift_left_0_37, shift_left_0_38, shift_left_0_39 : natural range 0 to 255;
-  signal shift_left_0_40, shift_left_0_41, shift_left_0_42, shift_left_0_43, shift_left_0_44 : natural range 0 to 255;
-  signal shift_left_0_45, shift_left_0_46, shift_left_0_47, shift_left_0_48, shift_left_0_49 : natural range 0 to 255;
-  signal shift_left_0_50, shift_left_0_51, shift_left_0_52, shift_left_0_53, shift_left_0_54 : natural range 0 to 255;
-  signal shift_left_0_55, shift_left_0_56, shift_left_0_57, shift_left_0_58, shift_left_0_59 : natural range 0 to 255;
-  signal shift_left_0_60, shift_left_0_61, shift_left_0_62, shift_left_0_63, shift_left_0_64 : natural range 0 to 255;
-  signal shift_left_0_65, shift_left_0_66, shift_left_0_67, shift_left_0_68, shift_left_0_69 : natural range 0 to 255;
-  signal shift_left_0_70, shift_left_0_71, shift_left_0_72, shift_left_0_73, shift_left_0_74 : natural range 0 to 255;
-  signal shift_left_0_75, shift_left_0_76, shift_left_0_77, shift_left_0_78, shift_left_0_79 : natural range 0 to 255;
-  signal shift_left_0_80, shift_left_0_81, shift_left_0_82, shift_left_0_83, shift_left_0_84 : natural range 0 to 255;
-  signal shift_left_0_85, shift_left_0_86, shift_left_0_87, shift_left_0_88, shift_left_0_89 : natural range 0 to 255;
-  signal shift_left_0_90, shift_left_0_91, shift_left_0_92, shift_left_0_93, shift_left_0_94 : natural range 0 to 255;
-  signal shift_left_0_95, shift_left_0_96, shift_left_0_97, shift_left_0_98, shift_left_0_99 : natural range 0 to 255;
-  signal shift_left_1_0, shift_left_1_1, shift_left_1_2, shift_left_1_3, shift_left_1_4 : natural range 0 to 255;
-  signal shift_left_1_5, shift_left_1_6, shift_left_1_7, shift_left_1_8, shift_left_1_9 : natural range 0 to 255;
-  signal shift_left_1_10, shift_left_1_11, shift_left_1_12, shift_left_1_13, shift_left_1_14 : natural range 0 to 255;
-  signal shift_left_1_15, shift_left_1_16, shift_left_1_17, shift_left_1_18, shift_left_1_19 : natural range 0 to 255;
-  signal shift_left_1_20, shift_left_1_21, shift_left_1_22, shift_left_1_23, shift_left_1_24 : natural range 0 to 255;
-  signal shift_left_1_25, shift_left_1_26, shift_left_1_27, shift_left_1_28, shift_left_1_29 : natural range 0 to 255;
-  signal shift_left_1_30, shift_left_1_31, shift_left_1_32, shift_left_1_33, shift_left_1_34 : natural range 0 to 255;
-  signal shift_left_1_35, shift_left_1_36, shift_left_1_37, shift_left_1_38, shift_left_1_39 : natural range 0 to 255;
-  signal shift_left_1_40, shift_left_1_41, shift_left_1_42, shift_left_1_43, shift_left_1_44 : natural range 0 to 255;
-  signal shift_left_1_45, shift_left_1_46, shift_left_1_47, shift_left_1_48, shift_left_1_49 : natural range 0 to 255;
-  signal shift_left_1_50, shift_left_1_51, shift_left_1_52, shift_left_1_53, shift_left_1_54 : natural range 0 to 255;
-  signal shift_left_1_55, shift_left_1_56, shift_left_1_57, shift_left_1_58, shift_left_1_59 : natural range 0 to 255;
-  signal shift_left_1_60, shift_left_1_61, shift_left_1_62, shift_left_1_63, shift_left_1_64 : natural range 0 to 255;
-  signal shift_left_1_65, shift_left_1_66, shift_left_1_67, shift_left_1_68, shift_left_1_69 : natural range 0 to 255;
-  signal shift_left_1_70, shift_left_1_71, shift_left_1_72, shift_left_1_73, shift_left_1_74 : natural range 0 to 255;
-  signal shift_left_1_75, shift_left_1_76, shift_left_1_77, shift_left_1_78, shift_left_1_79 : natural range 0 to 255;
-  signal shift_left_1_80, shift_left_1_81, shift_left_1_82, shift_left_1_83, shift_left_1_84 : natural range 0 to 255;
-  signal shift_left_1_85, shift_left_1_86, shift_left_1_87, shift_left_1_88, shift_left_1_89 : natural range 0 to 255;
-  signal shift_left_1_90, shift_left_1_91, shift_left_1_92, shift_left_1_93, shift_left_1_94 : natural range 0 to 255;
-  signal shift_left_1_95, shift_left_1_96, shift_left_1_97, shift_left_1_98, shift_left_1_99 : natural range 0 to 255;
-  signal shift_left_2_0, shift_left_2_1, shift_left_2_2, shift_left_2_3, shift_left_2_4 : natural range 0 to 255;
-  signal shift_left_2_5, shift_left_2_6, shift_left_2_7, shift_left_2_8, shift_left_2_9 : natural range 0 to 255;
-  signal shift_left_2_10, shift_left_2_11, shift_left_2_12, shift_left_2_13, shift_left_2_14 : natural range 0 to 255;
-  signal shift_left_2_15, shift_left_2_16, shift_left_2_17, shift_left_2_18, shift_left_2_19 : natural range 0 to 255;
-  signal shift_left_2_20, shift_left_2_21, shift_left_2_22, shift_left_2_23, shift_left_2_24 : natural range 0 to 255;
-  signal shift_left_2_25, shift_left_2_26, shift_left_2_27, shift_left_2_28, shift_left_2_29 : natural range 0 to 255;
-  signal shift_left_2_30, shift_left_2_31, shift_left_2_32, shift_left_2_33, shift_left_2_34 : natural range 0 to 255;
-  signal shift_left_2_35, shift_left_2_36, shift_left_2_37, shift_left_2_38, shift_left_2_39 : natural range 0 to 255;
-  signal shift_left_2_40, shift_left_2_41, shift_left_2_42, shift_left_2_43, shift_left_2_44 : natural range 0 to 255;
-  signal shift_left_2_45, shift_left_2_46, shift_left_2_47, shift_left_2_48, shift_left_2_49 : natural range 0 to 255;
-  signal shift_left_2_50, shift_left_2_51, shift_left_2_52, shift_left_2_53, shift_left_2_54 : natural range 0 to 255;
-  signal shift_left_2_55, shift_left_2_56, shift_left_2_57, shift_left_2_58, shift_left_2_59 : natural range 0 to 255;
-  signal shift_left_2_60, shift_left_2_61, shift_left_2_62, shift_left_2_63, shift_left_2_64 : natural range 0 to 255;
-  signal shift_left_2_65, shift_left_2_66, shift_left_2_67, shift_left_2_68, shift_left_2_69 : natural range 0 to 255;
-  signal shift_left_2_70, shift_left_2_71, shift_left_2_72, shift_left_2_73, shift_left_2_74 : natural range 0 to 255;
-  signal shift_left_2_75, shift_left_2_76, shift_left_2_77, shift_left_2_78, shift_left_2_79 : natural range 0 to 255;
-  signal shift_left_2_80, shift_left_2_81, shift_left_2_82, shift_left_2_83, shift_left_2_84 : natural range 0 to 255;
-  signal shift_left_2_85, shift_left_2_86, shift_left_2_87, shift_left_2_88, shift_left_2_89 : natural range 0 to 255;
-  signal shift_left_2_90, shift_left_2_91, shift_left_2_92, shift_left_2_93, shift_left_2_94 : natural range 0 to 255;
-  signal shift_left_2_95, shift_left_2_96, shift_left_2_97, shift_left_2_98, shift_left_2_99 : natural range 0 to 255;
-  signal shift_right_0, shift_right_1, shift_right_2 : natural range 0 to 255;
-  signal shift_tag_valid, shift_tag_cost_column, shift_tag_output_column, shift_tag_start_of_frame : boolean;
-  signal shift_tag_end_of_line : boolean;
-  -- cost
-  signal cost_difference_0_0, cost_difference_0_1, cost_difference_0_2, cost_difference_0_3 : natural range 0 to 255;
-  signal cost_difference_0_4, cost_difference_0_5, cost_difference_0_6, cost_difference_0_7 : natural range 0 to 255;
-  signal cost_difference_0_8, cost_difference_0_9, cost_difference_0_10, cost_difference_0_11 : natural range 0 to 255;
-  signal cost_difference_0_12, cost_difference_0_13, cost_difference_0_14 : natural range 0 to 255;
-  signal cost_difference_0_15, cost_difference_0_16, cost_difference_0_17 : natural range 0 to 255;
-  signal cost_difference_0_18, cost_difference_0_19, cost_difference_0_20 : natural range 0 to 255;
-  signal cost_difference_0_21, cost_difference_0_22, cost_difference_0_23 : natural range 0 to 255;
-  signal cost_difference_0_24, cost_difference_0_25, cost_difference_0_26 : natural range 0 to 255;
-  signal cost_difference_0_27, cost_difference_0_28, cost_difference_0_29 : natural range 0 to 255;
-  signal cost_difference_0_30, cost_difference_0_31, cost_difference_0_32 : natural range 0 to 255;
-  signal cost_difference_0_33, cost_difference_0_34, cost_difference_0_35 : natural range 0 to 255;
-  signal cost_difference_0_36, cost_difference_0_37, cost_difference_0_38 : natural range 0 to 255;
-  signal cost_difference_0_39, cost_difference_0_40, cost_difference_0_41 : natural range 0 to 255;
-  signal cost_difference_0_42, cost_difference_0_43, cost_difference_0_44 : natural range 0 to 255;
-  signal cost_difference_0_45, cost_difference_0_46, cost_difference_0_47 : natural range 0 to 255;
-  signal cost_difference_0_48, cost_difference_0_49, cost_difference_0_50 : natural range 0 to 255;
-  signal cost_difference_0_51, cost_difference_0_52, cost_difference_0_53 : natural range 0 to 255;
-  signal cost_difference_0_54, cost_difference_0_55, cost_difference_0_56 : natural range 0 to 255;
-  signal cost_difference_0_57, cost_difference_0_58, cost_difference_0_59 : natural range 0 to 255;
-  signal cost_difference_0_60, cost_difference_0_61, cost_difference_0_62 : natural range 0 to 255;
-  signal cost_difference_0_63, cost_difference_0_64, cost_difference_0_65 : natural range 0 to 255;
-  signal cost_difference_0_66, cost_difference_0_67, cost_difference_0_68 : natural range 0 to 255;
-  signal cost_difference_0_69, cost_difference_0_70, cost_difference_0_71 : natural range 0 to 255;
-  signal cost_difference_0_72, cost_difference_0_73, cost_difference_0_74 : natural range 0 to 255;
-  signal cost_difference_0_75, cost_difference_0_76, cost_difference_0_77 : natural range 0 to 255;
-  signal cost_difference_0_78, cost_difference_0_79, cost_difference_0_80 : natural range 0 to 255;
-  signal cost_difference_0_81, cost_difference_0_82, cost_difference_0_83 : natural range 0 to 255;
-  signal cost_difference_0_84, cost_difference_0_85, cost_difference_0_86 : natural range 0 to 255;
-  signal cost_difference_0_87, cost_difference_0_88, cost_difference_0_89 : natural range 0 to 255;
-  signal cost_difference_0_90, cost_difference_0_91, cost_difference_0_92 : natural range 0 to 255;
-  signal cost_difference_0_93, cost_difference_0_94, cost_difference_0_95 : natural range 0 to 255;
-  signal cost_difference_0_96, cost_difference_0_97, cost_difference_0_98 : natural range 0 to 255;
-  signal cost_difference_0_99, cost_difference_1_0, cost_difference_1_1, cost_difference_1_2 : natural range 0 to 255;
-  signal cost_difference_1_3, cost_difference_1_4, cost_difference_1_5, cost_difference_1_6 : natural range 0 to 255;
-  signal cost_difference_1_7, cost_difference_1_8, cost_difference_1_9, cost_difference_1_10 : natural range 0 to 255;
-  signal cost_difference_1_11, cost_difference_1_12, cost_difference_1_13 : natural range 0 to 255;
-  signal cost_difference_1_14, cost_difference_1_15, cost_difference_1_16 : natural range 0 to 255;
-  signal cost_difference_1_17, cost_difference_1_18, cost_difference_1_19 : natural range 0 to 255;
-  signal cost_difference_1_20, cost_difference_1_21, cost_difference_1_22 : natural range 0 to 255;
-  signal cost_difference_1_23, cost_difference_1_24, cost_difference_1_25 : natural range 0 to 255;
-  signal cost_difference_1_26, cost_difference_1_27, cost_difference_1_28 : natural range 0 to 255;
-  signal cost_difference_1_29, cost_difference_1_30, cost_difference_1_31 : natural range 0 to 255;
-  signal cost_difference_1_32, cost_difference_1_33, cost_difference_1_34 : natural range 0 to 255;
-  signal cost_difference_1_35, cost_difference_1_36, cost_difference_1_37 : natural range 0 to 255;
-  signal cost_difference_1_38, cost_difference_1_39, cost_difference_1_40 : natural range 0 to 255;
-  signal cost_difference_1_41, cost_difference_1_42, cost_difference_1_43 : natural range 0 to 255;
-  signal cost_difference_1_44, cost_difference_1_45, cost_difference_1_46 : natural range 0 to 255;
-  signal cost_difference_1_47, cost_difference_1_48, cost_difference_1_49 : natural range 0 to 255;
-  signal cost_difference_1_50, cost_difference_1_51, cost_difference_1_52 : natural range 0 to 255;
-  signal cost_difference_1_53, cost_difference_1_54, cost_difference_1_55 : natural range 0 to 255;
-  signal cost_difference_1_56, cost_difference_1_57, cost_difference_1_58 : natural range 0 to 255;
-  signal cost_difference_1_59, cost_difference_1_60, cost_difference_1_61 : natural range 0 to 255;
-  signal cost_difference_1_62, cost_difference_1_63, cost_difference_1_64 : natural range 0 to 255;
-  signal cost_difference_1_65, cost_difference_1_66, cost_difference_1_67 : natural range 0 to 255;
-  signal cost_difference_1_68, cost_difference_1_69, cost_difference_1_70 : natural range 0 to 255;
-  signal cost_difference_1_71, cost_difference_1_72, cost_difference_1_73 : natural range 0 to 255;
-  signal cost_difference_1_74, cost_difference_1_75, cost_difference_1_76 : natural range 0 to 255;
-  signal cost_difference_1_77, cost_difference_1_78, cost_difference_1_79 : natural range 0 to 255;
-  signal cost_difference_1_80, cost_difference_1_81, cost_difference_1_82 : natural range 0 to 255;
-  signal cost_difference_1_83, cost_difference_1_84, cost_difference_1_85 : natural range 0 to 255;
-  signal cost_difference_1_86, cost_difference_1_87, cost_difference_1_88 : natural range 0 to 255;
-  signal cost_difference_1_89, cost_difference_1_90, cost_difference_1_91 : natural range 0 to 255;
-  signal cost_difference_1_92, cost_difference_1_93, cost_difference_1_94 : natural range 0 to 255;
-  signal cost_difference_1_95, cost_difference_1_96, cost_difference_1_97 : natural range 0 to 255;
-  signal cost_difference_1_98, cost_difference_1_99, cost_difference_2_0, cost_difference_2_1 : natural range 0 to 255;
-  signal cost_difference_2_2, cost_difference_2_3, cost_difference_2_4, cost_difference_2_5 : natural range 0 to 255;
-  signal cost_difference_2_6, cost_difference_2_7, cost_difference_2_8, cost_difference_2_9 : natural range 0 to 255;
-  signal cost_difference_2_10, cost_difference_2_11, cost_difference_2_12 : natural range 0 to 255;
-  signal cost_difference_2_13, cost_difference_2_14, cost_difference_2_15 : natural range 0 to 255;
-  signal cost_difference_2_16, cost_difference_2_17, cost_difference_2_18 : natural range 0 to 255;
-  signal cost_difference_2_19, cost_difference_2_20, cost_difference_2_21 : natural range 0 to 255;
-  signal cost_difference_2_22, cost_difference_2_23, cost_difference_2_24 : natural range 0 to 255;
-  signal cost_difference_2_25, cost_difference_2_26, cost_difference_2_27 : natural range 0 to 255;
-  signal cost_difference_2_28, cost_difference_2_29, cost_difference_2_30 : natural range 0 to 255;
-  signal cost_difference_2_31, cost_difference_2_32, cost_difference_2_33 : natural range 0 to 255;
-  signal cost_difference_2_34, cost_difference_2_35, cost_difference_2_36 : natural range 0 to 255;
-  signal cost_difference_2_37, cost_difference_2_38, cost_difference_2_39 : natural range 0 to 255;
-  signal cost_difference_2_40, cost_difference_2_41, cost_difference_2_42 : natural range 0 to 255;
-  signal cost_difference_2_43, cost_difference_2_44, cost_difference_2_45 : natural range 0 to 255;
-  signal cost_difference_2_46, cost_difference_2_47, cost_difference_2_48 : natural range 0 to 255;
-  signal cost_difference_2_49, cost_difference_2_50, cost_difference_2_51 : natural range 0 to 255;
-  signal cost_difference_2_52, cost_difference_2_53, cost_difference_2_54 : natural range 0 to 255;
-  signal cost_difference_2_55, cost_difference_2_56, cost_difference_2_57 : natural range 0 to 255;
-  signal cost_difference_2_58, cost_difference_2_59, cost_difference_2_60 : natural range 0 to 255;
-  signal cost_difference_2_61, cost_difference_2_62, cost_difference_2_63 : natural range 0 to 255;
-  signal cost_difference_2_64, cost_difference_2_65, cost_difference_2_66 : natural range 0 to 255;
-  signal cost_difference_2_67, cost_difference_2_68, cost_difference_2_69 : natural range 0 to 255;
-  signal cost_difference_2_70, cost_difference_2_71, cost_difference_2_72 : natural range 0 to 255;
-  signal cost_difference_2_73, cost_difference_2_74, cost_difference_2_75 : natural range 0 to 255;
-  signal cost_difference_2_76, cost_difference_2_77, cost_difference_2_78 : natural range 0 to 255;
-  signal cost_difference_2_79, cost_difference_2_80, cost_difference_2_81 : natural range 0 to 255;
-  signal cost_difference_2_82, cost_difference_2_83, cost_difference_2_84 : natural range 0 to 255;
-  signal cost_difference_2_85, cost_difference_2_86, cost_difference_2_87 : natural range 0 to 255;
-  signal cost_difference_2_88, cost_difference_2_89, cost_difference_2_90 : natural range 0 to 255;
-  signal cost_difference_2_91, cost_difference_2_92, cost_difference_2_93 : natural range 0 to 255;
-  signal cost_difference_2_94, cost_difference_2_95, cost_difference_2_96 : natural range 0 to 255;
-  signal cost_difference_2_97, cost_difference_2_98, cost_difference_2_99 : natural range 0 to 255;
-  signal cost_tag_before_valid, cost_tag_before_cost_column, cost_tag_before_output_column : boolean;
-  signal cost_tag_before_start_of_frame, cost_tag_before_end_of_line, cost_tag_valid, cost_tag_output_column : boolean;
-  signal cost_tag_start_of_frame, cost_tag_end_of_line : boolean;
-  signal cost_column_0, cost_column_1, cost_column_2, cost_column_3, cost_column_4 : natural range 0 to 765;
-  signal cost_column_5, cost_column_6, cost_column_7, cost_column_8, cost_column_9 : natural range 0 to 765;
-  signal cost_column_10, cost_column_11, cost_column_12, cost_column_13, cost_column_14 : natural range 0 to 765;
-  signal cost_column_15, cost_column_16, cost_column_17, cost_column_18, cost_column_19 : natural range 0 to 765;
-  signal cost_column_20, cost_column_21, cost_column_22, cost_column_23, cost_column_24 : natural range 0 to 765;
-  signal cost_column_25, cost_column_26, cost_column_27, cost_column_28, cost_column_29 : natural range 0 to 765;
-  signal cost_column_30, cost_column_31, cost_column_32, cost_column_33, cost_column_34 : natural range 0 to 765;
-  signal cost_column_35, cost_column_36, cost_column_37, cost_column_38, cost_column_39 : natural range 0 to 765;
-  signal cost_column_40, cost_column_41, cost_column_42, cost_column_43, cost_column_44 : natural range 0 to 765;
-  signal cost_column_45, cost_column_46, cost_column_47, cost_column_48, cost_column_49 : natural range 0 to 765;
-  signal cost_column_50, cost_column_51, cost_column_52, cost_column_53, cost_column_54 : natural range 0 to 765;
-  signal cost_column_55, cost_column_56, cost_column_57, cost_column_58, cost_column_59 : natural range 0 to 765;
-  signal cost_column_60, cost_column_61, cost_column_62, cost_column_63, cost_column_64 : natural range 0 to 765;
-  signal cost_column_65, cost_column_66, cost_column_67, cost_column_68, cost_column_69 : natural range 0 to 765;
-  signal cost_column_70, cost_column_71, cost_column_72, cost_column_73, cost_column_74 : natural range 0 to 765;
-  signal cost_column_75, cost_column_76, cost_column_77, cost_column_78, cost_column_79 : natural range 0 to 765;
-  signal cost_column_80, cost_column_81, cost_column_82, cost_column_83, cost_column_84 : natural range 0 to 765;
-  signal cost_column_85, cost_column_86, cost_column_87, cost_column_88, cost_column_89 : natural range 0 to 765;
-  signal cost_column_90, cost_column_91, cost_column_92, cost_column_93, cost_column_94 : natural range 0 to 765;
-  signal cost_column_95, cost_column_96, cost_column_97, cost_column_98, cost_column_99 : natural range 0 to 765;
-  -- window
-  signal window_history_0_0, window_history_0_1, window_history_0_2, window_history_0_3 : natural range 0 to 765;
-  signal window_history_0_4, window_history_0_5, window_history_0_6, window_history_0_7 : natural range 0 to 765;
-  signal window_history_0_8, window_history_0_9, window_history_0_10, window_history_0_11 : natural range 0 to 765;
-  signal window_history_0_12, window_history_0_13, window_history_0_14, window_history_0_15 : natural range 0 to 765;
-  signal window_history_0_16, window_history_0_17, window_history_0_18, window_history_0_19 : natural range 0 to 765;
-  signal window_history_0_20, window_history_0_21, window_history_0_22, window_history_0_23 : natural range 0 to 765;
-  signal window_history_0_24, window_history_0_25, window_history_0_26, window_history_0_27 : natural range 0 to 765;
-  signal window_history_0_28, window_history_0_29, window_history_0_30, window_history_0_31 : natural range 0 to 765;
-  signal window_history_0_32, window_history_0_33, window_history_0_34, window_history_0_35 : natural range 0 to 765;
-  signal window_history_0_36, window_history_0_37, window_history_0_38, window_history_0_39 : natural range 0 to 765;
-  signal window_history_0_40, window_history_0_41, window_history_0_42, window_history_0_43 : natural range 0 to 765;
-  signal window_history_0_44, window_history_0_45, window_history_0_46, window_history_0_47 : natural range 0 to 765;
-  signal window_history_0_48, window_history_0_49, window_history_0_50, window_history_0_51 : natural range 0 to 765;
-  signal window_history_0_52, window_history_0_53, window_history_0_54, window_history_0_55 : natural range 0 to 765;
-  signal window_history_0_56, window_history_0_57, window_history_0_58, window_history_0_59 : natural range 0 to 765;
-  signal window_history_0_60, window_history_0_61, window_history_0_62, window_history_0_63 : natural range 0 to 765;
-  signal window_history_0_64, window_history_0_65, window_history_0_66, window_history_0_67 : natural range 0 to 765;
-  signal window_history_0_68, window_history_0_69, window_history_0_70, window_history_0_71 : natural range 0 to 765;
-  signal window_history_0_72, window_history_0_73, window_history_0_74, window_history_0_75 : natural range 0 to 765;
-  signal window_history_0_76, window_history_0_77, window_history_0_78, window_history_0_79 : natural range 0 to 765;
-  signal window_history_0_80, window_history_0_81, window_history_0_82, window_history_0_83 : natural range 0 to 765;
-  signal window_history_0_84, window_history_0_85, window_history_0_86, window_history_0_87 : natural range 0 to 765;
-  signal window_history_0_88, window_history_0_89, window_history_0_90, window_history_0_91 : natural range 0 to 765;
-  signal window_history_0_92, window_history_0_93, window_history_0_94, window_history_0_95 : natural range 0 to 765;
-  signal window_history_0_96, window_history_0_97, window_history_0_98, window_history_0_99 : natural range 0 to 765;
-  signal window_history_1_0, window_history_1_1, window_history_1_2, window_history_1_3 : natural range 0 to 765;
-  signal window_history_1_4, window_history_1_5, window_history_1_6, window_history_1_7 : natural range 0 to 765;
-  signal window_history_1_8, window_history_1_9, window_history_1_10, window_history_1_11 : natural range 0 to 765;
-  signal window_history_1_12, window_history_1_13, window_history_1_14, window_history_1_15 : natural range 0 to 765;
-  signal window_history_1_16, window_history_1_17, window_history_1_18, window_history_1_19 : natural range 0 to 765;
-  signal window_history_1_20, window_history_1_21, window_history_1_22, window_history_1_23 : natural range 0 to 765;
-  signal window_history_1_24, window_history_1_25, window_history_1_26, window_history_1_27 : natural range 0 to 765;
-  signal window_history_1_28, window_history_1_29, window_history_1_30, window_history_1_31 : natural range 0 to 765;
-  signal window_history_1_32, window_history_1_33, window_history_1_34, window_history_1_35 : natural range 0 to 765;
-  signal window_history_1_36, window_history_1_37, window_history_1_38, window_history_1_39 : natural range 0 to 765;
-  signal window_history_1_40, window_history_1_41, window_history_1_42, window_history_1_43 : natural range 0 to 765;
-  signal window_history_1_44, window_history_1_45, window_history_1_46, window_history_1_47 : natural range 0 to 765;
-  signal window_history_1_48, window_history_1_49, window_history_1_50, window_history_1_51 : natural range 0 to 765;
-  signal window_history_1_52, window_history_1_53, window_history_1_54, window_history_1_55 : natural range 0 to 765;
-  signal window_history_1_56, window_history_1_57, window_history_1_58, window_history_1_59 : natural range 0 to 765;
-  signal window_history_1_60, window_history_1_61, window_history_1_62, window_history_1_63 : natural range 0 to 765;
-  signal window_history_1_64, window_history_1_65, window_history_1_66, window_history_1_67 : natural range 0 to 765;
-  signal window_history_1_68, window_history_1_69, window_history_1_70, window_history_1_71 : natural range 0 to 765;
-  signal window_history_1_72, window_history_1_73, window_history_1_74, window_history_1_75 : natural range 0 to 765;
-  signal window_history_1_76, window_history_1_77, window_history_1_78, window_history_1_79 : natural range 0 to 765;
-  signal window_history_1_80, window_history_1_81, window_history_1_82, window_history_1_83 : natural range 0 to 765;
-  signal window_history_1_84, window_history_1_85, window_history_1_86, window_history_1_87 : natural range 0 to 765;
-  signal window_history_1_88, window_history_1_89, window_history_1_90, window_history_1_91 : natural range 0 to 765;
-  signal window_history_1_92, window_history_1_93, window_history_1_94, window_history_1_95 : natural range 0 to 765;
-  signal window_history_1_96, window_history_1_97, window_history_1_98, window_history_1_99 : natural range 0 to 765;
-  signal window_centre_0_output_column, window_centre_0_start_of_frame, window_centre_0_end_of_line : boolean;
-  signal window_tag_valid, window_tag_output_column, window_tag_start_of_frame, window_tag_end_of_line : boolean;
-  signal window_sum_0, window_sum_1, window_sum_2, window_sum_3, window_sum_4, window_sum_5 : natural range 0 to 2295;
-  signal window_sum_6, window_sum_7, window_sum_8, window_sum_9, window_sum_10, window_sum_11 : natural range 0 to 2295;
-  signal window_sum_12, window_sum_13, window_sum_14, window_sum_15, window_sum_16 : natural range 0 to 2295;
-  signal window_sum_17, window_sum_18, window_sum_19, window_sum_20, window_sum_21 : natural range 0 to 2295;
-  signal window_sum_22, window_sum_23, window_sum_24, window_sum_25, window_sum_26 : natural range 0 to 2295;
-  signal window_sum_27, window_sum_28, window_sum_29, window_sum_30, window_sum_31 : natural range 0 to 2295;
-  signal window_sum_32, window_sum_33, window_sum_34, window_sum_35, window_sum_36 : natural range 0 to 2295;
-  signal window_sum_37, window_sum_38, window_sum_39, window_sum_40, window_sum_41 : natural range 0 to 2295;
-  signal window_sum_42, window_sum_43, window_sum_44, window_sum_45, window_sum_46 : natural range 0 to 2295;
-  signal window_sum_47, window_sum_48, window_sum_49, window_sum_50, window_sum_51 : natural range 0 to 2295;
-  signal window_sum_52, window_sum_53, window_sum_54, window_sum_55, window_sum_56 : natural range 0 to 2295;
-  signal window_sum_57, window_sum_58, window_sum_59, window_sum_60, window_sum_61 : natural range 0 to 2295;
-  signal window_sum_62, window_sum_63, window_sum_64, window_sum_65, window_sum_66 : natural range 0 to 2295;
-  signal window_sum_67, window_sum_68, window_sum_69, window_sum_70, window_sum_71 : natural range 0 to 2295;
-  signal window_sum_72, window_sum_73, window_sum_74, window_sum_75, window_sum_76 : natural range 0 to 2295;
-  signal window_sum_77, window_sum_78, window_sum_79, window_sum_80, window_sum_81 : natural range 0 to 2295;
-  signal window_sum_82, window_sum_83, window_sum_84, window_sum_85, window_sum_86 : natural range 0 to 2295;
-  signal window_sum_87, window_sum_88, window_sum_89, window_sum_90, window_sum_91 : natural range 0 to 2295;
-  signal window_sum_92, window_sum_93, window_sum_94, window_sum_95, window_sum_96 : natural range 0 to 2295;
-  signal window_sum_97, window_sum_98, window_sum_99 : natural range 0 to 2295;
-  -- winner1
-  signal winner1_cost_0, winner1_cost_1, winner1_cost_2, winner1_cost_3, winner1_cost_4 : natural range 0 to 2295;
-  signal winner1_cost_5, winner1_cost_6, winner1_cost_7, winner1_cost_8, winner1_cost_9 : natural range 0 to 2295;
-  signal winner1_cost_10, winner1_cost_11, winner1_cost_12, winner1_cost_13, winner1_cost_14 : natural range 0 to 2295;
-  signal winner1_cost_15, winner1_cost_16, winner1_cost_17, winner1_cost_18, winner1_cost_19 : natural range 0 to 2295;
-  signal winner1_cost_20, winner1_cost_21, winner1_cost_22, winner1_cost_23, winner1_cost_24 : natural range 0 to 2295;
-  signal winner1_index_0 : natural range 0 to 3;
-  signal winner1_index_1 : natural range 0 to 7;
-  signal winner1_index_2 : natural range 0 to 11;
-  signal winner1_index_3 : natural range 0 to 15;
-  signal winner1_index_4 : natural range 0 to 19;
-  signal winner1_index_5 : natural range 0 to 23;
-  signal winner1_index_6 : natural range 0 to 27;
-  signal winner1_index_7 : natural range 0 to 31;
-  signal winner1_index_8 : natural range 0 to 35;
-  signal winner1_index_9 : natural range 0 to 39;
-  signal winner1_index_10 : natural range 0 to 43;
-  signal winner1_index_11 : natural range 0 to 47;
-  signal winner1_index_12 : natural range 0 to 51;
-  signal winner1_index_13 : natural range 0 to 55;
-  signal winner1_index_14 : natural range 0 to 59;
-  signal winner1_index_15 : natural range 0 to 63;
-  signal winner1_index_16 : natural range 0 to 67;
-  signal winner1_index_17 : natural range 0 to 71;
-  signal winner1_index_18 : natural range 0 to 75;
-  signal winner1_index_19 : natural range 0 to 79;
-  signal winner1_index_20 : natural range 0 to 83;
-  signal winner1_index_21 : natural range 0 to 87;
-  signal winner1_index_22 : natural range 0 to 91;
-  signal winner1_index_23 : natural range 0 to 95;
-  signal winner1_index_24 : natural range 0 to 99;
-  signal winner1_tag_valid, winner1_tag_output_column, winner1_tag_start_of_frame, winner1_tag_end_of_line : boolean;
-  -- winner2
-  signal winner2_cost_0, winner2_cost_1, winner2_cost_2, winner2_cost_3, winner2_cost_4 : natural range 0 to 2295;
-  signal winner2_cost_5, winner2_cost_6 : natural range 0 to 2295;
-  signal winner2_index_0 : natural range 0 to 15;
-  signal winner2_index_1 : natural range 0 to 31;
-  signal winner2_index_2 : natural range 0 to 47;
-  signal winner2_index_3 : natural range 0 to 63;
-  signal winner2_index_4 : natural range 0 to 79;
-  signal winner2_index_5 : natural range 0 to 95;
-  signal winner2_index_6 : natural range 0 to 99;
-  signal winner2_tag_valid, winner2_tag_output_column, winner2_tag_start_of_frame, winner2_tag_end_of_line : boolean;
-  -- winner3
-  signal winner3_cost_0, winner3_cost_1 : natural range 0 to 2295;
-  signal winner3_index_0 : natural range 0 to 63;
-  signal winner3_index_1 : natural range 0 to 99;
-  signal winner3_tag_valid, winner3_tag_output_column, winner3_tag_start_of_frame, winner3_tag_end_of_line : boolean;
-  -- winner4
-  signal winner4_index_0 : natural range 0 to 99;
-  signal winner4_tag_valid, winner4_tag_output_column, winner4_tag_start_of_frame, winner4_tag_end_of_line : boolean;
-  signal rows_memory_write_data : unsigned(31 downto 0);
-  signal reference_memory_write_data : unsigned(7 downto 0);
+  signal rows_read_left_word, rows_read_right_word : unsigned(15 downto 0);
+  signal rows_read_left_0, rows_read_right_0, rows_ready_left_0, rows_ready_right_0 : natural range 0 to 255;
+  signal rows_left_0, rows_left_1, rows_left_2, rows_right_0, rows_right_1, rows_right_2 : natural range 0 to 255;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_left_word, rows_ready_right_word, rows_write_left, rows_write_right : natural range 0 to 65535;
+  -- slice0shift
+  signal slice0shift_left_0_0, slice0shift_left_0_1, slice0shift_left_0_2 : natural range 0 to 255;
+  signal slice0shift_left_0_3, slice0shift_left_0_4, slice0shift_left_0_5 : natural range 0 to 255;
+  signal slice0shift_left_0_6, slice0shift_left_0_7, slice0shift_left_0_8 : natural range 0 to 255;
+  signal slice0shift_left_0_9, slice0shift_left_0_10, slice0shift_left_0_11 : natural range 0 to 255;
+  signal slice0shift_left_0_12, slice0shift_left_0_13, slice0shift_left_0_14 : natural range 0 to 255;
+  signal slice0shift_left_0_15, slice0shift_left_0_16, slice0shift_left_0_17 : natural range 0 to 255;
+  signal slice0shift_left_0_18, slice0shift_left_0_19, slice0shift_left_0_20 : natural range 0 to 255;
+  signal slice0shift_left_0_21, slice0shift_left_0_22, slice0shift_left_0_23 : natural range 0 to 255;
+  signal slice0shift_left_0_24, slice0shift_left_1_0, slice0shift_left_1_1 : natural range 0 to 255;
+  signal slice0shift_left_1_2, slice0shift_left_1_3, slice0shift_left_1_4 : natural range 0 to 255;
+  signal slice0shift_left_1_5, slice0shift_left_1_6, slice0shift_left_1_7 : natural range 0 to 255;
+  signal slice0shift_left_1_8, slice0shift_left_1_9, slice0shift_left_1_10 : natural range 0 to 255;
+  signal slice0shift_left_1_11, slice0shift_left_1_12, slice0shift_left_1_13 : natural range 0 to 255;
+  signal slice0shift_left_1_14, slice0shift_left_1_15, slice0shift_left_1_16 : natural range 0 to 255;
+  signal slice0shift_left_1_17, slice0shift_left_1_18, slice0shift_left_1_19 : natural range 0 to 255;
+  signal slice0shift_left_1_20, slice0shift_left_1_21, slice0shift_left_1_22 : natural range 0 to 255;
+  signal slice0shift_left_1_23, slice0shift_left_1_24, slice0shift_left_2_0 : natural range 0 to 255;
+  signal slice0shift_left_2_1, slice0shift_left_2_2, slice0shift_left_2_3 : natural range 0 to 255;
+  signal slice0shift_left_2_4, slice0shift_left_2_5, slice0shift_left_2_6 : natural range 0 to 255;
+  signal slice0shift_left_2_7, slice0shift_left_2_8, slice0shift_left_2_9 : natural range 0 to 255;
+  signal slice0shift_left_2_10, slice0shift_left_2_11, slice0shift_left_2_12 : natural range 0 to 255;
+  signal slice0shift_left_2_13, slice0shift_left_2_14, slice0shift_left_2_15 : natural range 0 to 255;
+  signal slice0shift_left_2_16, slice0shift_left_2_17, slice0shift_left_2_18 : natural range 0 to 255;
+  signal slice0shift_left_2_19, slice0shift_left_2_20, slice0shift_left_2_21 : natural range 0 to 255;
+  signal slice0shift_left_2_22, slice0shift_left_2_23, slice0shift_left_2_24 : natural range 0 to 255;
+  signal slice0shift_right_0, slice0shift_right_1, slice0shift_right_2, slice0shift_left_out_0 : natural range 0 to 255;
+  signal slice0shift_left_out_1, slice0shift_left_out_2 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -255 to 255;
+  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : integer range -255 to 255;
+  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : integer range -255 to 255;
+  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : integer range -255 to 255;
+  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : integer range -255 to 255;
+  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_0_20 : integer range -255 to 255;
+  signal slice0cost_difference_0_21, slice0cost_difference_0_22, slice0cost_difference_0_23 : integer range -255 to 255;
+  signal slice0cost_difference_0_24, slice0cost_difference_1_0, slice0cost_difference_1_1 : integer range -255 to 255;
+  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : integer range -255 to 255;
+  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : integer range -255 to 255;
+  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_1_10 : integer range -255 to 255;
+  signal slice0cost_difference_1_11, slice0cost_difference_1_12, slice0cost_difference_1_13 : integer range -255 to 255;
+  signal slice0cost_difference_1_14, slice0cost_difference_1_15, slice0cost_difference_1_16 : integer range -255 to 255;
+  signal slice0cost_difference_1_17, slice0cost_difference_1_18, slice0cost_difference_1_19 : integer range -255 to 255;
+  signal slice0cost_difference_1_20, slice0cost_difference_1_21, slice0cost_difference_1_22 : integer range -255 to 255;
+  signal slice0cost_difference_1_23, slice0cost_difference_1_24, slice0cost_difference_2_0 : integer range -255 to 255;
+  signal slice0cost_difference_2_1, slice0cost_difference_2_2, slice0cost_difference_2_3 : integer range -255 to 255;
+  signal slice0cost_difference_2_4, slice0cost_difference_2_5, slice0cost_difference_2_6 : integer range -255 to 255;
+  signal slice0cost_difference_2_7, slice0cost_difference_2_8, slice0cost_difference_2_9 : integer range -255 to 255;
+  signal slice0cost_difference_2_10, slice0cost_difference_2_11, slice0cost_difference_2_12 : integer range -255 to 255;
+  signal slice0cost_difference_2_13, slice0cost_difference_2_14, slice0cost_difference_2_15 : integer range -255 to 255;
+  signal slice0cost_difference_2_16, slice0cost_difference_2_17, slice0cost_difference_2_18 : integer range -255 to 255;
+  signal slice0cost_difference_2_19, slice0cost_difference_2_20, slice0cost_difference_2_21 : integer range -255 to 255;
+  signal slice0cost_difference_2_22, slice0cost_difference_2_23, slice0cost_difference_2_24 : integer range -255 to 255;
+  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
+  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
+  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_0_8 : natural range 0 to 255;
+  signal slice0cost_reverse_0_9, slice0cost_reverse_0_10, slice0cost_reverse_0_11 : natural range 0 to 255;
+  signal slice0cost_reverse_0_12, slice0cost_reverse_0_13, slice0cost_reverse_0_14 : natural range 0 to 255;
+  signal slice0cost_reverse_0_15, slice0cost_reverse_0_16, slice0cost_reverse_0_17 : natural range 0 to 255;
+  signal slice0cost_reverse_0_18, slice0cost_reverse_0_19, slice0cost_reverse_0_20 : natural range 0 to 255;
+  signal slice0cost_reverse_0_21, slice0cost_reverse_0_22, slice0cost_reverse_0_23 : natural range 0 to 255;
+  signal slice0cost_reverse_0_24, slice0cost_single_0_0, slice0cost_single_0_1 : natural range 0 to 255;
+  signal slice0cost_single_0_2, slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
+  signal slice0cost_single_0_5, slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
+  signal slice0cost_single_0_8, slice0cost_single_0_9, slice0cost_single_0_10 : natural range 0 to 255;
+  signal slice0cost_single_0_11, slice0cost_single_0_12, slice0cost_single_0_13 : natural range 0 to 255;
+  signal slice0cost_single_0_14, slice0cost_single_0_15, slice0cost_single_0_16 : natural range 0 to 255;
+  signal slice0cost_single_0_17, slice0cost_single_0_18, slice0cost_single_0_19 : natural range 0 to 255;
+  signal slice0cost_single_0_20, slice0cost_single_0_21, slice0cost_single_0_22 : natural range 0 to 255;
+  signal slice0cost_single_0_23, slice0cost_single_0_24 : natural range 0 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_0_8, slice0cost_negative_0_9 : boolean;
+  signal slice0cost_negative_0_10, slice0cost_negative_0_11, slice0cost_negative_0_12 : boolean;
+  signal slice0cost_negative_0_13, slice0cost_negative_0_14, slice0cost_negative_0_15 : boolean;
+  signal slice0cost_negative_0_16, slice0cost_negative_0_17, slice0cost_negative_0_18 : boolean;
+  signal slice0cost_negative_0_19, slice0cost_negative_0_20, slice0cost_negative_0_21 : boolean;
+  signal slice0cost_negative_0_22, slice0cost_negative_0_23, slice0cost_negative_0_24 : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
+  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
+  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
+  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
+  signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
+  signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
+  signal slice0cost_pair_0_24 : natural range 0 to 511;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 767;
+  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 767;
+  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 767;
+  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 767;
+  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 767;
+  signal slice0cost_column_0_18, slice0cost_column_0_19, slice0cost_column_0_20 : natural range 0 to 767;
+  signal slice0cost_column_0_21, slice0cost_column_0_22, slice0cost_column_0_23 : natural range 0 to 767;
+  signal slice0cost_column_0_24 : natural range 0 to 767;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 767;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 767;
+  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 767;
+  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 767;
+  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 767;
+  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19, slice0window_partial_0_0_20 : natural range 0 to 767;
+  signal slice0window_partial_0_0_21, slice0window_partial_0_0_22, slice0window_partial_0_0_23 : natural range 0 to 767;
+  signal slice0window_partial_0_0_24 : natural range 0 to 767;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_24 : natural range 0 to 1534;
+  signal slice0window_centre_0_output_column, slice0window_centre_0_start_of_frame : boolean;
+  signal slice0window_centre_0_end_of_line, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2301;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2301;
+  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2301;
+  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2301;
+  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2301;
+  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 2301;
+  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 2301;
+  signal slice0window_sum_0_24 : natural range 0 to 2301;
+  -- slice0winner1
+  signal slice0winner1_cost_0_0, slice0winner1_cost_0_1, slice0winner1_cost_0_2 : natural range 0 to 2301;
+  signal slice0winner1_cost_0_3, slice0winner1_cost_0_4, slice0winner1_cost_0_5 : natural range 0 to 2301;
+  signal slice0winner1_cost_0_6, slice0winner1_cost_0_7, slice0winner1_cost_0_8 : natural range 0 to 2301;
+  signal slice0winner1_cost_0_9, slice0winner1_cost_0_10, slice0winner1_cost_0_11 : natural range 0 to 2301;
+  signal slice0winner1_cost_0_12 : natural range 0 to 2301;
+  signal slice0winner1_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_index_0_8 : natural range 0 to 17;
+  signal slice0winner1_index_0_9 : natural range 0 to 19;
+  signal slice0winner1_index_0_10 : natural range 0 to 21;
+  signal slice0winner1_index_0_11 : natural range 0 to 23;
+  signal slice0winner1_index_0_12 : natural range 0 to 24;
+  -- slice0winner2
+  signal slice0winner2_cost_0_0, slice0winner2_cost_0_1, slice0winner2_cost_0_2 : natural range 0 to 2301;
+  signal slice0winner2_cost_0_3, slice0winner2_cost_0_4, slice0winner2_cost_0_5 : natural range 0 to 2301;
+  signal slice0winner2_cost_0_6 : natural range 0 to 2301;
+  signal slice0winner2_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_index_0_2 : natural range 0 to 11;
+  signal slice0winner2_index_0_3 : natural range 0 to 15;
+  signal slice0winner2_index_0_4 : natural range 0 to 19;
+  signal slice0winner2_index_0_5 : natural range 0 to 23;
+  signal slice0winner2_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_cost_0_0, slice0winner3_cost_0_1, slice0winner3_cost_0_2 : natural range 0 to 2301;
+  signal slice0winner3_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner3_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_index_0_1 : natural range 0 to 15;
+  signal slice0winner3_index_0_2 : natural range 0 to 23;
+  signal slice0winner3_index_0_3 : natural range 0 to 24;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_cost_0_0, slice0winner4_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner4_index_0_0 : natural range 0 to 15;
+  signal slice0winner4_index_0_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_cost_0_0 : natural range 0 to 2301;
+  signal slice0winner5_index_0_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
+  -- slice0best
+  signal slice0best_cost_0 : natural range 0 to 2301;
+  signal slice0best_disparity_0 : natural range 0 to 99;
+  signal slice0best_tag_valid, slice0best_tag_output_column, slice0best_tag_start_of_frame : boolean;
+  signal slice0best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_left_0_0, slice1shift_left_0_1, slice1shift_left_0_2 : natural range 0 to 255;
+  signal slice1shift_left_0_3, slice1shift_left_0_4, slice1shift_left_0_5 : natural range 0 to 255;
+  signal slice1shift_left_0_6, slice1shift_left_0_7, slice1shift_left_0_8 : natural range 0 to 255;
+  signal slice1shift_left_0_9, slice1shift_left_0_10, slice1shift_left_0_11 : natural range 0 to 255;
+  signal slice1shift_left_0_12, slice1shift_left_0_13, slice1shift_left_0_14 : natural range 0 to 255;
+  signal slice1shift_left_0_15, slice1shift_left_0_16, slice1shift_left_0_17 : natural range 0 to 255;
+  signal slice1shift_left_0_18, slice1shift_left_0_19, slice1shift_left_0_20 : natural range 0 to 255;
+  signal slice1shift_left_0_21, slice1shift_left_0_22, slice1shift_left_0_23 : natural range 0 to 255;
+  signal slice1shift_left_0_24, slice1shift_left_1_0, slice1shift_left_1_1 : natural range 0 to 255;
+  signal slice1shift_left_1_2, slice1shift_left_1_3, slice1shift_left_1_4 : natural range 0 to 255;
+  signal slice1shift_left_1_5, slice1shift_left_1_6, slice1shift_left_1_7 : natural range 0 to 255;
+  signal slice1shift_left_1_8, slice1shift_left_1_9, slice1shift_left_1_10 : natural range 0 to 255;
+  signal slice1shift_left_1_11, slice1shift_left_1_12, slice1shift_left_1_13 : natural range 0 to 255;
+  signal slice1shift_left_1_14, slice1shift_left_1_15, slice1shift_left_1_16 : natural range 0 to 255;
+  signal slice1shift_left_1_17, slice1shift_left_1_18, slice1shift_left_1_19 : natural range 0 to 255;
+  signal slice1shift_left_1_20, slice1shift_left_1_21, slice1shift_left_1_22 : natural range 0 to 255;
+  signal slice1shift_left_1_23, slice1shift_left_1_24, slice1shift_left_2_0 : natural range 0 to 255;
+  signal slice1shift_left_2_1, slice1shift_left_2_2, slice1shift_left_2_3 : natural range 0 to 255;
+  signal slice1shift_left_2_4, slice1shift_left_2_5, slice1shift_left_2_6 : natural range 0 to 255;
+  signal slice1shift_left_2_7, slice1shift_left_2_8, slice1shift_left_2_9 : natural range 0 to 255;
+  signal slice1shift_left_2_10, slice1shift_left_2_11, slice1shift_left_2_12 : natural range 0 to 255;
+  signal slice1shift_left_2_13, slice1shift_left_2_14, slice1shift_left_2_15 : natural range 0 to 255;
+  signal slice1shift_left_2_16, slice1shift_left_2_17, slice1shift_left_2_18 : natural range 0 to 255;
+  signal slice1shift_left_2_19, slice1shift_left_2_20, slice1shift_left_2_21 : natural range 0 to 255;
+  signal slice1shift_left_2_22, slice1shift_left_2_23, slice1shift_left_2_24 : natural range 0 to 255;
+  signal slice1shift_right_0, slice1shift_right_1, slice1shift_right_2, slice1shift_left_out_0 : natural range 0 to 255;
+  signal slice1shift_left_out_1, slice1shift_left_out_2 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : integer range -255 to 255;
+  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_0_8 : integer range -255 to 255;
+  signal slice1cost_difference_0_9, slice1cost_difference_0_10, slice1cost_difference_0_11 : integer range -255 to 255;
+  signal slice1cost_difference_0_12, slice1cost_difference_0_13, slice1cost_difference_0_14 : integer range -255 to 255;
+  signal slice1cost_difference_0_15, slice1cost_difference_0_16, slice1cost_difference_0_17 : integer range -255 to 255;
+  signal slice1cost_difference_0_18, slice1cost_difference_0_19, slice1cost_difference_0_20 : integer range -255 to 255;
+  signal slice1cost_difference_0_21, slice1cost_difference_0_22, slice1cost_difference_0_23 : integer range -255 to 255;
+  signal slice1cost_difference_0_24, slice1cost_difference_1_0, slice1cost_difference_1_1 : integer range -255 to 255;
+  signal slice1cost_difference_1_2, slice1cost_difference_1_3, slice1cost_difference_1_4 : integer range -255 to 255;
+  signal slice1cost_difference_1_5, slice1cost_difference_1_6, slice1cost_difference_1_7 : integer range -255 to 255;
+  signal slice1cost_difference_1_8, slice1cost_difference_1_9, slice1cost_difference_1_10 : integer range -255 to 255;
+  signal slice1cost_difference_1_11, slice1cost_difference_1_12, slice1cost_difference_1_13 : integer range -255 to 255;
+  signal slice1cost_difference_1_14, slice1cost_difference_1_15, slice1cost_difference_1_16 : integer range -255 to 255;
+  signal slice1cost_difference_1_17, slice1cost_difference_1_18, slice1cost_difference_1_19 : integer range -255 to 255;
+  signal slice1cost_difference_1_20, slice1cost_difference_1_21, slice1cost_difference_1_22 : integer range -255 to 255;
+  signal slice1cost_difference_1_23, slice1cost_difference_1_24, slice1cost_difference_2_0 : integer range -255 to 255;
+  signal slice1cost_difference_2_1, slice1cost_difference_2_2, slice1cost_difference_2_3 : integer range -255 to 255;
+  signal slice1cost_difference_2_4, slice1cost_difference_2_5, slice1cost_difference_2_6 : integer range -255 to 255;
+  signal slice1cost_difference_2_7, slice1cost_difference_2_8, slice1cost_difference_2_9 : integer range -255 to 255;
+  signal slice1cost_difference_2_10, slice1cost_difference_2_11, slice1cost_difference_2_12 : integer range -255 to 255;
+  signal slice1cost_difference_2_13, slice1cost_difference_2_14, slice1cost_difference_2_15 : integer range -255 to 255;
+  signal slice1cost_difference_2_16, slice1cost_difference_2_17, slice1cost_difference_2_18 : integer range -255 to 255;
+  signal slice1cost_difference_2_19, slice1cost_difference_2_20, slice1cost_difference_2_21 : integer range -255 to 255;
+  signal slice1cost_difference_2_22, slice1cost_difference_2_23, slice1cost_difference_2_24 : integer range -255 to 255;
+  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
+  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_0_8 : natural range 0 to 255;
+  signal slice1cost_reverse_0_9, slice1cost_reverse_0_10, slice1cost_reverse_0_11 : natural range 0 to 255;
+  signal slice1cost_reverse_0_12, slice1cost_reverse_0_13, slice1cost_reverse_0_14 : natural range 0 to 255;
+  signal slice1cost_reverse_0_15, slice1cost_reverse_0_16, slice1cost_reverse_0_17 : natural range 0 to 255;
+  signal slice1cost_reverse_0_18, slice1cost_reverse_0_19, slice1cost_reverse_0_20 : natural range 0 to 255;
+  signal slice1cost_reverse_0_21, slice1cost_reverse_0_22, slice1cost_reverse_0_23 : natural range 0 to 255;
+  signal slice1cost_reverse_0_24, slice1cost_single_0_0, slice1cost_single_0_1 : natural range 0 to 255;
+  signal slice1cost_single_0_2, slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 255;
+  signal slice1cost_single_0_5, slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
+  signal slice1cost_single_0_8, slice1cost_single_0_9, slice1cost_single_0_10 : natural range 0 to 255;
+  signal slice1cost_single_0_11, slice1cost_single_0_12, slice1cost_single_0_13 : natural range 0 to 255;
+  signal slice1cost_single_0_14, slice1cost_single_0_15, slice1cost_single_0_16 : natural range 0 to 255;
+  signal slice1cost_single_0_17, slice1cost_single_0_18, slice1cost_single_0_19 : natural range 0 to 255;
+  signal slice1cost_single_0_20, slice1cost_single_0_21, slice1cost_single_0_22 : natural range 0 to 255;
+  signal slice1cost_single_0_23, slice1cost_single_0_24 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
+  signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
+  signal slice1cost_pair_0_12, slice1cost_pair_0_13, slice1cost_pair_0_14 : natural range 0 to 511;
+  signal slice1cost_pair_0_15, slice1cost_pair_0_16, slice1cost_pair_0_17 : natural range 0 to 511;
+  signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
+  signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
+  signal slice1cost_pair_0_24 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
+  signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
+  signal slice1cost_negative_0_8, slice1cost_negative_0_9, slice1cost_negative_0_10, slice1cost_negative_0_11 : boolean;
+  signal slice1cost_negative_0_12, slice1cost_negative_0_13, slice1cost_negative_0_14 : boolean;
+  signal slice1cost_negative_0_15, slice1cost_negative_0_16, slice1cost_negative_0_17 : boolean;
+  signal slice1cost_negative_0_18, slice1cost_negative_0_19, slice1cost_negative_0_20 : boolean;
+  signal slice1cost_negative_0_21, slice1cost_negative_0_22, slice1cost_negative_0_23 : boolean;
+  signal slice1cost_negative_0_24, slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 767;
+  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 767;
+  signal slice1cost_column_0_9, slice1cost_column_0_10, slice1cost_column_0_11 : natural range 0 to 767;
+  signal slice1cost_column_0_12, slice1cost_column_0_13, slice1cost_column_0_14 : natural range 0 to 767;
+  signal slice1cost_column_0_15, slice1cost_column_0_16, slice1cost_column_0_17 : natural range 0 to 767;
+  signal slice1cost_column_0_18, slice1cost_column_0_19, slice1cost_column_0_20 : natural range 0 to 767;
+  signal slice1cost_column_0_21, slice1cost_column_0_22, slice1cost_column_0_23 : natural range 0 to 767;
+  signal slice1cost_column_0_24 : natural range 0 to 767;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 767;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_0_0_8 : natural range 0 to 767;
+  signal slice1window_partial_0_0_9, slice1window_partial_0_0_10, slice1window_partial_0_0_11 : natural range 0 to 767;
+  signal slice1window_partial_0_0_12, slice1window_partial_0_0_13, slice1window_partial_0_0_14 : natural range 0 to 767;
+  signal slice1window_partial_0_0_15, slice1window_partial_0_0_16, slice1window_partial_0_0_17 : natural range 0 to 767;
+  signal slice1window_partial_0_0_18, slice1window_partial_0_0_19, slice1window_partial_0_0_20 : natural range 0 to 767;
+  signal slice1window_partial_0_0_21, slice1window_partial_0_0_22, slice1window_partial_0_0_23 : natural range 0 to 767;
+  signal slice1window_partial_0_0_24 : natural range 0 to 767;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_9, slice1window_partial_0_1_10, slice1window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_12, slice1window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_14, slice1window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_16, slice1window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_18, slice1window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_24 : natural range 0 to 1534;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2301;
+  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2301;
+  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2301;
+  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2301;
+  signal slice1window_sum_0_15, slice1window_sum_0_16, slice1window_sum_0_17 : natural range 0 to 2301;
+  signal slice1window_sum_0_18, slice1window_sum_0_19, slice1window_sum_0_20 : natural range 0 to 2301;
+  signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 2301;
+  signal slice1window_sum_0_24 : natural range 0 to 2301;
+  -- slice1winner1
+  signal slice1winner1_cost_0_0, slice1winner1_cost_0_1, slice1winner1_cost_0_2 : natural range 0 to 2301;
+  signal slice1winner1_cost_0_3, slice1winner1_cost_0_4, slice1winner1_cost_0_5 : natural range 0 to 2301;
+  signal slice1winner1_cost_0_6, slice1winner1_cost_0_7, slice1winner1_cost_0_8 : natural range 0 to 2301;
+  signal slice1winner1_cost_0_9, slice1winner1_cost_0_10, slice1winner1_cost_0_11 : natural range 0 to 2301;
+  signal slice1winner1_cost_0_12 : natural range 0 to 2301;
+  signal slice1winner1_index_0_0 : boolean;
+  signal slice1winner1_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_index_0_8 : natural range 0 to 17;
+  signal slice1winner1_index_0_9 : natural range 0 to 19;
+  signal slice1winner1_index_0_10 : natural range 0 to 21;
+  signal slice1winner1_index_0_11 : natural range 0 to 23;
+  -- slice1winner2
+  signal slice1winner2_cost_0_0, slice1winner2_cost_0_1, slice1winner2_cost_0_2 : natural range 0 to 2301;
+  signal slice1winner2_cost_0_3, slice1winner2_cost_0_4, slice1winner2_cost_0_5 : natural range 0 to 2301;
+  signal slice1winner2_cost_0_6 : natural range 0 to 2301;
+  signal slice1winner2_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_index_0_1 : natural range 0 to 7;
+  signal slice1winner2_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_index_0_3 : natural range 0 to 15;
+  signal slice1winner2_index_0_4 : natural range 0 to 19;
+  signal slice1winner2_index_0_5 : natural range 0 to 23;
+  -- slice1winner3
+  signal slice1winner3_cost_0_0, slice1winner3_cost_0_1, slice1winner3_cost_0_2 : natural range 0 to 2301;
+  signal slice1winner3_cost_0_3 : natural range 0 to 2301;
+  signal slice1winner3_index_0_0 : natural range 0 to 7;
+  signal slice1winner3_index_0_1 : natural range 0 to 15;
+  signal slice1winner3_index_0_2 : natural range 0 to 23;
+  -- slice1winner4
+  signal slice1winner4_cost_0_0, slice1winner4_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner4_index_0_0 : natural range 0 to 15;
+  signal slice1winner4_index_0_1 : natural range 0 to 24;
+  -- slice1winner5
+  signal slice1winner5_cost_0_0 : natural range 0 to 2301;
+  signal slice1winner5_index_0_0 : natural range 0 to 24;
+  -- slice1best
+  signal slice1best_cost_0 : natural range 0 to 2301;
+  signal slice1best_disparity_0 : natural range 0 to 99;
+  signal slice1best_tag_valid, slice1best_tag_output_column, slice1best_tag_start_of_frame : boolean;
+  signal slice1best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_left_0_0, slice2shift_left_0_1, slice2shift_left_0_2 : natural range 0 to 255;
+  signal slice2shift_left_0_3, slice2shift_left_0_4, slice2shift_left_0_5 : natural range 0 to 255;
+  signal slice2shift_left_0_6, slice2shift_left_0_7, slice2shift_left_0_8 : natural range 0 to 255;
+  signal slice2shift_left_0_9, slice2shift_left_0_10, slice2shift_left_0_11 : natural range 0 to 255;
+  signal slice2shift_left_0_12, slice2shift_left_0_13, slice2shift_left_0_14 : natural range 0 to 255;
+  signal slice2shift_left_0_15, slice2shift_left_0_16, slice2shift_left_0_17 : natural range 0 to 255;
+  signal slice2shift_left_0_18, slice2shift_left_0_19, slice2shift_left_0_20 : natural range 0 to 255;
+  signal slice2shift_left_0_21, slice2shift_left_0_22, slice2shift_left_0_23 : natural range 0 to 255;
+  signal slice2shift_left_0_24, slice2shift_left_1_0, slice2shift_left_1_1 : natural range 0 to 255;
+  signal slice2shift_left_1_2, slice2shift_left_1_3, slice2shift_left_1_4 : natural range 0 to 255;
+  signal slice2shift_left_1_5, slice2shift_left_1_6, slice2shift_left_1_7 : natural range 0 to 255;
+  signal slice2shift_left_1_8, slice2shift_left_1_9, slice2shift_left_1_10 : natural range 0 to 255;
+  signal slice2shift_left_1_11, slice2shift_left_1_12, slice2shift_left_1_13 : natural range 0 to 255;
+  signal slice2shift_left_1_14, slice2shift_left_1_15, slice2shift_left_1_16 : natural range 0 to 255;
+  signal slice2shift_left_1_17, slice2shift_left_1_18, slice2shift_left_1_19 : natural range 0 to 255;
+  signal slice2shift_left_1_20, slice2shift_left_1_21, slice2shift_left_1_22 : natural range 0 to 255;
+  signal slice2shift_left_1_23, slice2shift_left_1_24, slice2shift_left_2_0 : natural range 0 to 255;
+  signal slice2shift_left_2_1, slice2shift_left_2_2, slice2shift_left_2_3 : natural range 0 to 255;
+  signal slice2shift_left_2_4, slice2shift_left_2_5, slice2shift_left_2_6 : natural range 0 to 255;
+  signal slice2shift_left_2_7, slice2shift_left_2_8, slice2shift_left_2_9 : natural range 0 to 255;
+  signal slice2shift_left_2_10, slice2shift_left_2_11, slice2shift_left_2_12 : natural range 0 to 255;
+  signal slice2shift_left_2_13, slice2shift_left_2_14, slice2shift_left_2_15 : natural range 0 to 255;
+  signal slice2shift_left_2_16, slice2shift_left_2_17, slice2shift_left_2_18 : natural range 0 to 255;
+  signal slice2shift_left_2_19, slice2shift_left_2_20, slice2shift_left_2_21 : natural range 0 to 255;
+  signal slice2shift_left_2_22, slice2shift_left_2_23, slice2shift_left_2_24 : natural range 0 to 255;
+  signal slice2shift_right_0, slice2shift_right_1, slice2shift_right_2, slice2shift_left_out_0 : natural range 0 to 255;
+  signal slice2shift_left_out_1, slice2shift_left_out_2 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_0_2 : integer range -255 to 255;
+  signal slice2cost_difference_0_3, slice2cost_difference_0_4, slice2cost_difference_0_5 : integer range -255 to 255;
+  signal slice2cost_difference_0_6, slice2cost_difference_0_7, slice2cost_difference_0_8 : integer range -255 to 255;
+  signal slice2cost_difference_0_9, slice2cost_difference_0_10, slice2cost_difference_0_11 : integer range -255 to 255;
+  signal slice2cost_difference_0_12, slice2cost_difference_0_13, slice2cost_difference_0_14 : integer range -255 to 255;
+  signal slice2cost_difference_0_15, slice2cost_difference_0_16, slice2cost_difference_0_17 : integer range -255 to 255;
+  signal slice2cost_difference_0_18, slice2cost_difference_0_19, slice2cost_difference_0_20 : integer range -255 to 255;
+  signal slice2cost_difference_0_21, slice2cost_difference_0_22, slice2cost_difference_0_23 : integer range -255 to 255;
+  signal slice2cost_difference_0_24, slice2cost_difference_1_0, slice2cost_difference_1_1 : integer range -255 to 255;
+  signal slice2cost_difference_1_2, slice2cost_difference_1_3, slice2cost_difference_1_4 : integer range -255 to 255;
+  signal slice2cost_difference_1_5, slice2cost_difference_1_6, slice2cost_difference_1_7 : integer range -255 to 255;
+  signal slice2cost_difference_1_8, slice2cost_difference_1_9, slice2cost_difference_1_10 : integer range -255 to 255;
+  signal slice2cost_difference_1_11, slice2cost_difference_1_12, slice2cost_difference_1_13 : integer range -255 to 255;
+  signal slice2cost_difference_1_14, slice2cost_difference_1_15, slice2cost_difference_1_16 : integer range -255 to 255;
+  signal slice2cost_difference_1_17, slice2cost_difference_1_18, slice2cost_difference_1_19 : integer range -255 to 255;
+  signal slice2cost_difference_1_20, slice2cost_difference_1_21, slice2cost_difference_1_22 : integer range -255 to 255;
+  signal slice2cost_difference_1_23, slice2cost_difference_1_24, slice2cost_difference_2_0 : integer range -255 to 255;
+  signal slice2cost_difference_2_1, slice2cost_difference_2_2, slice2cost_difference_2_3 : integer range -255 to 255;
+  signal slice2cost_difference_2_4, slice2cost_difference_2_5, slice2cost_difference_2_6 : integer range -255 to 255;
+  signal slice2cost_difference_2_7, slice2cost_difference_2_8, slice2cost_difference_2_9 : integer range -255 to 255;
+  signal slice2cost_difference_2_10, slice2cost_difference_2_11, slice2cost_difference_2_12 : integer range -255 to 255;
+  signal slice2cost_difference_2_13, slice2cost_difference_2_14, slice2cost_difference_2_15 : integer range -255 to 255;
+  signal slice2cost_difference_2_16, slice2cost_difference_2_17, slice2cost_difference_2_18 : integer range -255 to 255;
+  signal slice2cost_difference_2_19, slice2cost_difference_2_20, slice2cost_difference_2_21 : integer range -255 to 255;
+  signal slice2cost_difference_2_22, slice2cost_difference_2_23, slice2cost_difference_2_24 : integer range -255 to 255;
+  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_0_2 : natural range 0 to 255;
+  signal slice2cost_reverse_0_3, slice2cost_reverse_0_4, slice2cost_reverse_0_5 : natural range 0 to 255;
+  signal slice2cost_reverse_0_6, slice2cost_reverse_0_7, slice2cost_reverse_0_8 : natural range 0 to 255;
+  signal slice2cost_reverse_0_9, slice2cost_reverse_0_10, slice2cost_reverse_0_11 : natural range 0 to 255;
+  signal slice2cost_reverse_0_12, slice2cost_reverse_0_13, slice2cost_reverse_0_14 : natural range 0 to 255;
+  signal slice2cost_reverse_0_15, slice2cost_reverse_0_16, slice2cost_reverse_0_17 : natural range 0 to 255;
+  signal slice2cost_reverse_0_18, slice2cost_reverse_0_19, slice2cost_reverse_0_20 : natural range 0 to 255;
+  signal slice2cost_reverse_0_21, slice2cost_reverse_0_22, slice2cost_reverse_0_23 : natural range 0 to 255;
+  signal slice2cost_reverse_0_24, slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
+  signal slice2cost_single_0_2, slice2cost_single_0_3, slice2cost_single_0_4 : natural range 0 to 255;
+  signal slice2cost_single_0_5, slice2cost_single_0_6, slice2cost_single_0_7 : natural range 0 to 255;
+  signal slice2cost_single_0_8, slice2cost_single_0_9, slice2cost_single_0_10 : natural range 0 to 255;
+  signal slice2cost_single_0_11, slice2cost_single_0_12, slice2cost_single_0_13 : natural range 0 to 255;
+  signal slice2cost_single_0_14, slice2cost_single_0_15, slice2cost_single_0_16 : natural range 0 to 255;
+  signal slice2cost_single_0_17, slice2cost_single_0_18, slice2cost_single_0_19 : natural range 0 to 255;
+  signal slice2cost_single_0_20, slice2cost_single_0_21, slice2cost_single_0_22 : natural range 0 to 255;
+  signal slice2cost_single_0_23, slice2cost_single_0_24 : natural range 0 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
+  signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
+  signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
+  signal slice2cost_pair_0_12, slice2cost_pair_0_13, slice2cost_pair_0_14 : natural range 0 to 511;
+  signal slice2cost_pair_0_15, slice2cost_pair_0_16, slice2cost_pair_0_17 : natural range 0 to 511;
+  signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
+  signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
+  signal slice2cost_pair_0_24 : natural range 0 to 511;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_0_2, slice2cost_negative_0_3 : boolean;
+  signal slice2cost_negative_0_4, slice2cost_negative_0_5, slice2cost_negative_0_6, slice2cost_negative_0_7 : boolean;
+  signal slice2cost_negative_0_8, slice2cost_negative_0_9, slice2cost_negative_0_10, slice2cost_negative_0_11 : boolean;
+  signal slice2cost_negative_0_12, slice2cost_negative_0_13, slice2cost_negative_0_14 : boolean;
+  signal slice2cost_negative_0_15, slice2cost_negative_0_16, slice2cost_negative_0_17 : boolean;
+  signal slice2cost_negative_0_18, slice2cost_negative_0_19, slice2cost_negative_0_20 : boolean;
+  signal slice2cost_negative_0_21, slice2cost_negative_0_22, slice2cost_negative_0_23 : boolean;
+  signal slice2cost_negative_0_24, slice2cost_tag_border_column : boolean;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 767;
+  signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 767;
+  signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 767;
+  signal slice2cost_column_0_9, slice2cost_column_0_10, slice2cost_column_0_11 : natural range 0 to 767;
+  signal slice2cost_column_0_12, slice2cost_column_0_13, slice2cost_column_0_14 : natural range 0 to 767;
+  signal slice2cost_column_0_15, slice2cost_column_0_16, slice2cost_column_0_17 : natural range 0 to 767;
+  signal slice2cost_column_0_18, slice2cost_column_0_19, slice2cost_column_0_20 : natural range 0 to 767;
+  signal slice2cost_column_0_21, slice2cost_column_0_22, slice2cost_column_0_23 : natural range 0 to 767;
+  signal slice2cost_column_0_24 : natural range 0 to 767;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 767;
+  signal slice2window_partial_0_0_3, slice2window_partial_0_0_4, slice2window_partial_0_0_5 : natural range 0 to 767;
+  signal slice2window_partial_0_0_6, slice2window_partial_0_0_7, slice2window_partial_0_0_8 : natural range 0 to 767;
+  signal slice2window_partial_0_0_9, slice2window_partial_0_0_10, slice2window_partial_0_0_11 : natural range 0 to 767;
+  signal slice2window_partial_0_0_12, slice2window_partial_0_0_13, slice2window_partial_0_0_14 : natural range 0 to 767;
+  signal slice2window_partial_0_0_15, slice2window_partial_0_0_16, slice2window_partial_0_0_17 : natural range 0 to 767;
+  signal slice2window_partial_0_0_18, slice2window_partial_0_0_19, slice2window_partial_0_0_20 : natural range 0 to 767;
+  signal slice2window_partial_0_0_21, slice2window_partial_0_0_22, slice2window_partial_0_0_23 : natural range 0 to 767;
+  signal slice2window_partial_0_0_24 : natural range 0 to 767;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_3, slice2window_partial_0_1_4, slice2window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_6, slice2window_partial_0_1_7, slice2window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_9, slice2window_partial_0_1_10, slice2window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_12, slice2window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_14, slice2window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_16, slice2window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_18, slice2window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_24 : natural range 0 to 1534;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2301;
+  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2301;
+  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2301;
+  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2301;
+  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2301;
+  signal slice2window_sum_0_15, slice2window_sum_0_16, slice2window_sum_0_17 : natural range 0 to 2301;
+  signal slice2window_sum_0_18, slice2window_sum_0_19, slice2window_sum_0_20 : natural range 0 to 2301;
+  signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 2301;
+  signal slice2window_sum_0_24 : natural range 0 to 2301;
+  -- slice2winner1
+  signal slice2winner1_cost_0_0, slice2winner1_cost_0_1, slice2winner1_cost_0_2 : natural range 0 to 2301;
+  signal slice2winner1_cost_0_3, slice2winner1_cost_0_4, slice2winner1_cost_0_5 : natural range 0 to 2301;
+  signal slice2winner1_cost_0_6, slice2winner1_cost_0_7, slice2winner1_cost_0_8 : natural range 0 to 2301;
+  signal slice2winner1_cost_0_9, slice2winner1_cost_0_10, slice2winner1_cost_0_11 : natural range 0 to 2301;
+  signal slice2winner1_cost_0_12 : natural range 0 to 2301;
+  signal slice2winner1_index_0_0 : boolean;
+  signal slice2winner1_index_0_1 : natural range 0 to 3;
+  signal slice2winner1_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_index_0_3 : natural range 0 to 7;
+  signal slice2winner1_index_0_4 : natural range 0 to 9;
+  signal slice2winner1_index_0_5 : natural range 0 to 11;
+  signal slice2winner1_index_0_6 : natural range 0 to 13;
+  signal slice2winner1_index_0_7 : natural range 0 to 15;
+  signal slice2winner1_index_0_8 : natural range 0 to 17;
+  signal slice2winner1_index_0_9 : natural range 0 to 19;
+  signal slice2winner1_index_0_10 : natural range 0 to 21;
+  signal slice2winner1_index_0_11 : natural range 0 to 23;
+  -- slice2winner2
+  signal slice2winner2_cost_0_0, slice2winner2_cost_0_1, slice2winner2_cost_0_2 : natural range 0 to 2301;
+  signal slice2winner2_cost_0_3, slice2winner2_cost_0_4, slice2winner2_cost_0_5 : natural range 0 to 2301;
+  signal slice2winner2_cost_0_6 : natural range 0 to 2301;
+  signal slice2winner2_index_0_0 : natural range 0 to 3;
+  signal slice2winner2_index_0_1 : natural range 0 to 7;
+  signal slice2winner2_index_0_2 : natural range 0 to 11;
+  signal slice2winner2_index_0_3 : natural range 0 to 15;
+  signal slice2winner2_index_0_4 : natural range 0 to 19;
+  signal slice2winner2_index_0_5 : natural range 0 to 23;
+  -- slice2winner3
+  signal slice2winner3_cost_0_0, slice2winner3_cost_0_1, slice2winner3_cost_0_2 : natural range 0 to 2301;
+  signal slice2winner3_cost_0_3 : natural range 0 to 2301;
+  signal slice2winner3_index_0_0 : natural range 0 to 7;
+  signal slice2winner3_index_0_1 : natural range 0 to 15;
+  signal slice2winner3_index_0_2 : natural range 0 to 23;
+  -- slice2winner4
+  signal slice2winner4_cost_0_0, slice2winner4_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner4_index_0_0 : natural range 0 to 15;
+  signal slice2winner4_index_0_1 : natural range 0 to 24;
+  -- slice2winner5
+  signal slice2winner5_cost_0_0 : natural range 0 to 2301;
+  signal slice2winner5_index_0_0 : natural range 0 to 24;
+  -- slice2best
+  signal slice2best_cost_0 : natural range 0 to 2301;
+  signal slice2best_disparity_0 : natural range 0 to 99;
+  signal slice2best_tag_valid, slice2best_tag_output_column, slice2best_tag_start_of_frame : boolean;
+  signal slice2best_tag_end_of_line : boolean;
+  -- slice3shift
+  signal slice3shift_left_0_0, slice3shift_left_0_1, slice3shift_left_0_2 : natural range 0 to 255;
+  signal slice3shift_left_0_3, slice3shift_left_0_4, slice3shift_left_0_5 : natural range 0 to 255;
+  signal slice3shift_left_0_6, slice3shift_left_0_7, slice3shift_left_0_8 : natural range 0 to 255;
+  signal slice3shift_left_0_9, slice3shift_left_0_10, slice3shift_left_0_11 : natural range 0 to 255;
+  signal slice3shift_left_0_12, slice3shift_left_0_13, slice3shift_left_0_14 : natural range 0 to 255;
+  signal slice3shift_left_0_15, slice3shift_left_0_16, slice3shift_left_0_17 : natural range 0 to 255;
+  signal slice3shift_left_0_18, slice3shift_left_0_19, slice3shift_left_0_20 : natural range 0 to 255;
+  signal slice3shift_left_0_21, slice3shift_left_0_22, slice3shift_left_0_23 : natural range 0 to 255;
+  signal slice3shift_left_0_24, slice3shift_left_1_0, slice3shift_left_1_1 : natural range 0 to 255;
+  signal slice3shift_left_1_2, slice3shift_left_1_3, slice3shift_left_1_4 : natural range 0 to 255;
+  signal slice3shift_left_1_5, slice3shift_left_1_6, slice3shift_left_1_7 : natural range 0 to 255;
+  signal slice3shift_left_1_8, slice3shift_left_1_9, slice3shift_left_1_10 : natural range 0 to 255;
+  signal slice3shift_left_1_11, slice3shift_left_1_12, slice3shift_left_1_13 : natural range 0 to 255;
+  signal slice3shift_left_1_14, slice3shift_left_1_15, slice3shift_left_1_16 : natural range 0 to 255;
+  signal slice3shift_left_1_17, slice3shift_left_1_18, slice3shift_left_1_19 : natural range 0 to 255;
+  signal slice3shift_left_1_20, slice3shift_left_1_21, slice3shift_left_1_22 : natural range 0 to 255;
+  signal slice3shift_left_1_23, slice3shift_left_1_24, slice3shift_left_2_0 : natural range 0 to 255;
+  signal slice3shift_left_2_1, slice3shift_left_2_2, slice3shift_left_2_3 : natural range 0 to 255;
+  signal slice3shift_left_2_4, slice3shift_left_2_5, slice3shift_left_2_6 : natural range 0 to 255;
+  signal slice3shift_left_2_7, slice3shift_left_2_8, slice3shift_left_2_9 : natural range 0 to 255;
+  signal slice3shift_left_2_10, slice3shift_left_2_11, slice3shift_left_2_12 : natural range 0 to 255;
+  signal slice3shift_left_2_13, slice3shift_left_2_14, slice3shift_left_2_15 : natural range 0 to 255;
+  signal slice3shift_left_2_16, slice3shift_left_2_17, slice3shift_left_2_18 : natural range 0 to 255;
+  signal slice3shift_left_2_19, slice3shift_left_2_20, slice3shift_left_2_21 : natural range 0 to 255;
+  signal slice3shift_left_2_22, slice3shift_left_2_23, slice3shift_left_2_24 : natural range 0 to 255;
+  signal slice3shift_right_0, slice3shift_right_1, slice3shift_right_2 : natural range 0 to 255;
+  -- slice3cost
+  signal slice3cost_difference_0_0, slice3cost_difference_0_1, slice3cost_difference_0_2 : integer range -255 to 255;
+  signal slice3cost_difference_0_3, slice3cost_difference_0_4, slice3cost_difference_0_5 : integer range -255 to 255;
+  signal slice3cost_difference_0_6, slice3cost_difference_0_7, slice3cost_difference_0_8 : integer range -255 to 255;
+  signal slice3cost_difference_0_9, slice3cost_difference_0_10, slice3cost_difference_0_11 : integer range -255 to 255;
+  signal slice3cost_difference_0_12, slice3cost_difference_0_13, slice3cost_difference_0_14 : integer range -255 to 255;
+  signal slice3cost_difference_0_15, slice3cost_difference_0_16, slice3cost_difference_0_17 : integer range -255 to 255;
+  signal slice3cost_difference_0_18, slice3cost_difference_0_19, slice3cost_difference_0_20 : integer range -255 to 255;
+  signal slice3cost_difference_0_21, slice3cost_difference_0_22, slice3cost_difference_0_23 : integer range -255 to 255;
+  signal slice3cost_difference_0_24, slice3cost_difference_1_0, slice3cost_difference_1_1 : integer range -255 to 255;
+  signal slice3cost_difference_1_2, slice3cost_difference_1_3, slice3cost_difference_1_4 : integer range -255 to 255;
+  signal slice3cost_difference_1_5, slice3cost_difference_1_6, slice3cost_difference_1_7 : integer range -255 to 255;
+  signal slice3cost_difference_1_8, slice3cost_difference_1_9, slice3cost_difference_1_10 : integer range -255 to 255;
+  signal slice3cost_difference_1_11, slice3cost_difference_1_12, slice3cost_difference_1_13 : integer range -255 to 255;
+  signal slice3cost_difference_1_14, slice3cost_difference_1_15, slice3cost_difference_1_16 : integer range -255 to 255;
+  signal slice3cost_difference_1_17, slice3cost_difference_1_18, slice3cost_difference_1_19 : integer range -255 to 255;
+  signal slice3cost_difference_1_20, slice3cost_difference_1_21, slice3cost_difference_1_22 : integer range -255 to 255;
+  signal slice3cost_difference_1_23, slice3cost_difference_1_24, slice3cost_difference_2_0 : integer range -255 to 255;
+  signal slice3cost_difference_2_1, slice3cost_difference_2_2, slice3cost_difference_2_3 : integer range -255 to 255;
+  signal slice3cost_difference_2_4, slice3cost_difference_2_5, slice3cost_difference_2_6 : integer range -255 to 255;
+  signal slice3cost_difference_2_7, slice3cost_difference_2_8, slice3cost_difference_2_9 : integer range -255 to 255;
+  signal slice3cost_difference_2_10, slice3cost_difference_2_11, slice3cost_difference_2_12 : integer range -255 to 255;
+  signal slice3cost_difference_2_13, slice3cost_difference_2_14, slice3cost_difference_2_15 : integer range -255 to 255;
+  signal slice3cost_difference_2_16, slice3cost_difference_2_17, slice3cost_difference_2_18 : integer range -255 to 255;
+  signal slice3cost_difference_2_19, slice3cost_difference_2_20, slice3cost_difference_2_21 : integer range -255 to 255;
+  signal slice3cost_difference_2_22, slice3cost_difference_2_23, slice3cost_difference_2_24 : integer range -255 to 255;
+  signal slice3cost_reverse_0_0, slice3cost_reverse_0_1, slice3cost_reverse_0_2 : natural range 0 to 255;
+  signal slice3cost_reverse_0_3, slice3cost_reverse_0_4, slice3cost_reverse_0_5 : natural range 0 to 255;
+  signal slice3cost_reverse_0_6, slice3cost_reverse_0_7, slice3cost_reverse_0_8 : natural range 0 to 255;
+  signal slice3cost_reverse_0_9, slice3cost_reverse_0_10, slice3cost_reverse_0_11 : natural range 0 to 255;
+  signal slice3cost_reverse_0_12, slice3cost_reverse_0_13, slice3cost_reverse_0_14 : natural range 0 to 255;
+  signal slice3cost_reverse_0_15, slice3cost_reverse_0_16, slice3cost_reverse_0_17 : natural range 0 to 255;
+  signal slice3cost_reverse_0_18, slice3cost_reverse_0_19, slice3cost_reverse_0_20 : natural range 0 to 255;
+  signal slice3cost_reverse_0_21, slice3cost_reverse_0_22, slice3cost_reverse_0_23 : natural range 0 to 255;
+  signal slice3cost_reverse_0_24, slice3cost_single_0_0, slice3cost_single_0_1 : natural range 0 to 255;
+  signal slice3cost_single_0_2, slice3cost_single_0_3, slice3cost_single_0_4 : natural range 0 to 255;
+  signal slice3cost_single_0_5, slice3cost_single_0_6, slice3cost_single_0_7 : natural range 0 to 255;
+  signal slice3cost_single_0_8, slice3cost_single_0_9, slice3cost_single_0_10 : natural range 0 to 255;
+  signal slice3cost_single_0_11, slice3cost_single_0_12, slice3cost_single_0_13 : natural range 0 to 255;
+  signal slice3cost_single_0_14, slice3cost_single_0_15, slice3cost_single_0_16 : natural range 0 to 255;
+  signal slice3cost_single_0_17, slice3cost_single_0_18, slice3cost_single_0_19 : natural range 0 to 255;
+  signal slice3cost_single_0_20, slice3cost_single_0_21, slice3cost_single_0_22 : natural range 0 to 255;
+  signal slice3cost_single_0_23, slice3cost_single_0_24 : natural range 0 to 255;
+  signal slice3cost_pair_0_0, slice3cost_pair_0_1, slice3cost_pair_0_2, slice3cost_pair_0_3 : natural range 0 to 511;
+  signal slice3cost_pair_0_4, slice3cost_pair_0_5, slice3cost_pair_0_6, slice3cost_pair_0_7 : natural range 0 to 511;
+  signal slice3cost_pair_0_8, slice3cost_pair_0_9, slice3cost_pair_0_10, slice3cost_pair_0_11 : natural range 0 to 511;
+  signal slice3cost_pair_0_12, slice3cost_pair_0_13, slice3cost_pair_0_14 : natural range 0 to 511;
+  signal slice3cost_pair_0_15, slice3cost_pair_0_16, slice3cost_pair_0_17 : natural range 0 to 511;
+  signal slice3cost_pair_0_18, slice3cost_pair_0_19, slice3cost_pair_0_20 : natural range 0 to 511;
+  signal slice3cost_pair_0_21, slice3cost_pair_0_22, slice3cost_pair_0_23 : natural range 0 to 511;
+  signal slice3cost_pair_0_24 : natural range 0 to 511;
+  signal slice3cost_negative_0_0, slice3cost_negative_0_1, slice3cost_negative_0_2, slice3cost_negative_0_3 : boolean;
+  signal slice3cost_negative_0_4, slice3cost_negative_0_5, slice3cost_negative_0_6, slice3cost_negative_0_7 : boolean;
+  signal slice3cost_negative_0_8, slice3cost_negative_0_9, slice3cost_negative_0_10, slice3cost_negative_0_11 : boolean;
+  signal slice3cost_negative_0_12, slice3cost_negative_0_13, slice3cost_negative_0_14 : boolean;
+  signal slice3cost_negative_0_15, slice3cost_negative_0_16, slice3cost_negative_0_17 : boolean;
+  signal slice3cost_negative_0_18, slice3cost_negative_0_19, slice3cost_negative_0_20 : boolean;
+  signal slice3cost_negative_0_21, slice3cost_negative_0_22, slice3cost_negative_0_23 : boolean;
+  signal slice3cost_negative_0_24 : boolean;
+  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 767;
+  signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 767;
+  signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 767;
+  signal slice3cost_column_0_9, slice3cost_column_0_10, slice3cost_column_0_11 : natural range 0 to 767;
+  signal slice3cost_column_0_12, slice3cost_column_0_13, slice3cost_column_0_14 : natural range 0 to 767;
+  signal slice3cost_column_0_15, slice3cost_column_0_16, slice3cost_column_0_17 : natural range 0 to 767;
+  signal slice3cost_column_0_18, slice3cost_column_0_19, slice3cost_column_0_20 : natural range 0 to 767;
+  signal slice3cost_column_0_21, slice3cost_column_0_22, slice3cost_column_0_23 : natural range 0 to 767;
+  signal slice3cost_column_0_24 : natural range 0 to 767;
+  -- slice3window
+  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 767;
+  signal slice3window_partial_0_0_3, slice3window_partial_0_0_4, slice3window_partial_0_0_5 : natural range 0 to 767;
+  signal slice3window_partial_0_0_6, slice3window_partial_0_0_7, slice3window_partial_0_0_8 : natural range 0 to 767;
+  signal slice3window_partial_0_0_9, slice3window_partial_0_0_10, slice3window_partial_0_0_11 : natural range 0 to 767;
+  signal slice3window_partial_0_0_12, slice3window_partial_0_0_13, slice3window_partial_0_0_14 : natural range 0 to 767;
+  signal slice3window_partial_0_0_15, slice3window_partial_0_0_16, slice3window_partial_0_0_17 : natural range 0 to 767;
+  signal slice3window_partial_0_0_18, slice3window_partial_0_0_19, slice3window_partial_0_0_20 : natural range 0 to 767;
+  signal slice3window_partial_0_0_21, slice3window_partial_0_0_22, slice3window_partial_0_0_23 : natural range 0 to 767;
+  signal slice3window_partial_0_0_24 : natural range 0 to 767;
+  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_3, slice3window_partial_0_1_4, slice3window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_6, slice3window_partial_0_1_7, slice3window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_9, slice3window_partial_0_1_10, slice3window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_12, slice3window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_14, slice3window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_16, slice3window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_18, slice3window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_24 : natural range 0 to 1534;
+  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2301;
+  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2301;
+  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2301;
+  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 2301;
+  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 2301;
+  signal slice3window_sum_0_15, slice3window_sum_0_16, slice3window_sum_0_17 : natural range 0 to 2301;
+  signal slice3window_sum_0_18, slice3window_sum_0_19, slice3window_sum_0_20 : natural range 0 to 2301;
+  signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 2301;
+  signal slice3window_sum_0_24 : natural range 0 to 2301;
+  -- slice3winner1
+  signal slice3winner1_cost_0_0, slice3winner1_cost_0_1, slice3winner1_cost_0_2 : natural range 0 to 2301;
+  signal slice3winner1_cost_0_3, slice3winner1_cost_0_4, slice3winner1_cost_0_5 : natural range 0 to 2301;
+  signal slice3winner1_cost_0_6, slice3winner1_cost_0_7, slice3winner1_cost_0_8 : natural range 0 to 2301;
+  signal slice3winner1_cost_0_9, slice3winner1_cost_0_10, slice3winner1_cost_0_11 : natural range 0 to 2301;
+  signal slice3winner1_cost_0_12 : natural range 0 to 2301;
+  signal slice3winner1_index_0_0 : boolean;
+  signal slice3winner1_index_0_1 : natural range 0 to 3;
+  signal slice3winner1_index_0_2 : natural range 0 to 5;
+  signal slice3winner1_index_0_3 : natural range 0 to 7;
+  signal slice3winner1_index_0_4 : natural range 0 to 9;
+  signal slice3winner1_index_0_5 : natural range 0 to 11;
+  signal slice3winner1_index_0_6 : natural range 0 to 13;
+  signal slice3winner1_index_0_7 : natural range 0 to 15;
+  signal slice3winner1_index_0_8 : natural range 0 to 17;
+  signal slice3winner1_index_0_9 : natural range 0 to 19;
+  signal slice3winner1_index_0_10 : natural range 0 to 21;
+  signal slice3winner1_index_0_11 : natural range 0 to 23;
+  -- slice3winner2
+  signal slice3winner2_cost_0_0, slice3winner2_cost_0_1, slice3winner2_cost_0_2 : natural range 0 to 2301;
+  signal slice3winner2_cost_0_3, slice3winner2_cost_0_4, slice3winner2_cost_0_5 : natural range 0 to 2301;
+  signal slice3winner2_cost_0_6 : natural range 0 to 2301;
+  signal slice3winner2_index_0_0 : natural range 0 to 3;
+  signal slice3winner2_index_0_1 : natural range 0 to 7;
+  signal slice3winner2_index_0_2 : natural range 0 to 11;
+  signal slice3winner2_index_0_3 : natural range 0 to 15;
+  signal slice3winner2_index_0_4 : natural range 0 to 19;
+  signal slice3winner2_index_0_5 : natural range 0 to 23;
+  -- slice3winner3
+  signal slice3winner3_cost_0_0, slice3winner3_cost_0_1, slice3winner3_cost_0_2 : natural range 0 to 2301;
+  signal slice3winner3_cost_0_3 : natural range 0 to 2301;
+  signal slice3winner3_index_0_0 : natural range 0 to 7;
+  signal slice3winner3_index_0_1 : natural range 0 to 15;
+  signal slice3winner3_index_0_2 : natural range 0 to 23;
+  -- slice3winner4
+  signal slice3winner4_cost_0_0, slice3winner4_cost_0_1 : natural range 0 to 2301;
+  signal slice3winner4_index_0_0 : natural range 0 to 15;
+  signal slice3winner4_index_0_1 : natural range 0 to 24;
+  -- slice3winner5
+  signal slice3winner5_cost_0_0 : natural range 0 to 2301;
+  signal slice3winner5_index_0_0 : natural range 0 to 24;
+  -- slice3best
+  signal slice3best_disparity_0 : natural range 0 to 99;
+  signal slice3best_tag_valid, slice3best_tag_output_column, slice3best_tag_start_of_frame : boolean;
+  signal slice3best_tag_end_of_line : boolean;
+  signal rows_read_left_word_memory_write_data : unsigned(15 downto 0);
+  signal rows_read_right_word_memory_write_data : unsigned(15 downto 0);
+  signal reference_right_memory_write_data : unsigned(7 downto 0);
 
 begin
-  in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
   in_left_pixel <= to_integer(unsigned(left_pixel));
   in_right_pixel <= to_integer(unsigned(right_pixel));
-  disparity <= std_logic_vector(to_unsigned(winner4_index_0, 8));
-  disparity_valid <= as_bit(winner4_tag_valid and winner4_tag_output_column);
-  disparity_start_of_frame <= as_bit(winner4_tag_start_of_frame and winner4_tag_valid and winner4_tag_output_column);
-  disparity_end_of_line <= as_bit(winner4_tag_end_of_line and winner4_tag_valid and winner4_tag_output_column);
+  disparity <= std_logic_vector(to_unsigned(slice3best_disparity_0, 8));
+  disparity_valid <= as_bit(slice3best_tag_valid and slice3best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice3best_tag_start_of_frame and slice3best_tag_valid and slice3best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice3best_tag_end_of_line and slice3best_tag_valid and slice3best_tag_output_column);
 
-  rows_memory_write_data <= rows_word(15 downto 0) & to_unsigned(rows_newest_right, 8) & to_unsigned(rows_newest_left, 8);
-  rows_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+  rows_read_left_word_memory_write_data <= to_unsigned(rows_write_left, 16);
+  rows_read_left_word_memory : entity work.line_memory
+    generic map (depth => 320, width => 16)
     port map (
-      clock => clock, read_enable => reference_tag_valid,
-      read_address => reference_column, read_data => rows_word,
-      write_address => rows_write_column, write_data => rows_memory_write_data);
+      clock => clock, read_enable => true,
+      read_address => reference_column, read_data => rows_read_left_word,
+      write_address => rows_write_column, write_data => rows_read_left_word_memory_write_data);
 
-  reference_memory_write_data <= to_unsigned(raster_right, 8);
-  reference_memory : entity work.line_memory
+  rows_read_right_word_memory_write_data <= to_unsigned(rows_write_right, 16);
+  rows_read_right_word_memory : entity work.line_memory
+    generic map (depth => 320, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => reference_column, read_data => rows_read_right_word,
+      write_address => rows_write_column, write_data => rows_read_right_word_memory_write_data);
+
+  reference_right_memory_write_data <= to_unsigned(raster_right, 8);
+  reference_right_memory : entity work.line_memory
     generic map (depth => 100, width => 8)
     port map (
       clock => clock, read_enable => true,
       read_address => reference_read_address, read_data => reference_right,
-      write_address => reference_write_address, write_data => reference_memory_write_data);
+      write_address => reference_write_address, write_data => reference_right_memory_write_data);
 
   process (clock)
-    variable raster_row_is_equal, raster_row_differs, raster_row_is_equal_2, raster_row_choice : boolean;
-    variable raster_row_is_equal_3, raster_row_choice_3, raster_row_is_equal_4, raster_next_frame_differs : boolean;
-    variable raster_next_frame_choice, reference_row_inside_1_is_less, reference_tag_cost_column_is_less : boolean;
-    variable winner1_cost_0_is_less, winner1_cost_0_is_less_2, winner1_cost_0_is_less_3 : boolean;
-    variable winner1_cost_1_is_less, winner1_cost_1_is_less_2, winner1_cost_1_is_less_3 : boolean;
-    variable winner1_cost_2_is_less, winner1_cost_2_is_less_2, winner1_cost_2_is_less_3 : boolean;
-    variable winner1_cost_3_is_less, winner1_cost_3_is_less_2, winner1_cost_3_is_less_3 : boolean;
-    variable winner1_cost_4_is_less, winner1_cost_4_is_less_2, winner1_cost_4_is_less_3 : boolean;
-    variable winner1_cost_5_is_less, winner1_cost_5_is_less_2, winner1_cost_5_is_less_3 : boolean;
-    variable winner1_cost_6_is_less, winner1_cost_6_is_less_2, winner1_cost_6_is_less_3 : boolean;
-    variable winner1_cost_7_is_less, winner1_cost_7_is_less_2, winner1_cost_7_is_less_3 : boolean;
-    variable winner1_cost_8_is_less, winner1_cost_8_is_less_2, winner1_cost_8_is_less_3 : boolean;
-    variable winner1_cost_9_is_less, winner1_cost_9_is_less_2, winner1_cost_9_is_less_3 : boolean;
-    variable winner1_cost_10_is_less, winner1_cost_10_is_less_2, winner1_cost_10_is_less_3 : boolean;
-    variable winner1_cost_11_is_less, winner1_cost_11_is_less_2, winner1_cost_11_is_less_3 : boolean;
-    variable winner1_cost_12_is_less, winner1_cost_12_is_less_2, winner1_cost_12_is_less_3 : boolean;
-    variable winner1_cost_13_is_less, winner1_cost_13_is_less_2, winner1_cost_13_is_less_3 : boolean;
-    variable winner1_cost_14_is_less, winner1_cost_14_is_less_2, winner1_cost_14_is_less_3 : boolean;
-    variable winner1_cost_15_is_less, winner1_cost_15_is_less_2, winner1_cost_15_is_less_3 : boolean;
-    variable winner1_cost_16_is_less, winner1_cost_16_is_less_2, winner1_cost_16_is_less_3 : boolean;
-    variable winner1_cost_17_is_less, winner1_cost_17_is_less_2, winner1_cost_17_is_less_3 : boolean;
-    variable winner1_cost_18_is_less, winner1_cost_18_is_less_2, winner1_cost_18_is_less_3 : boolean;
-    variable winner1_cost_19_is_less, winner1_cost_19_is_less_2, winner1_cost_19_is_less_3 : boolean;
-    variable winner1_cost_20_is_less, winner1_cost_20_is_less_2, winner1_cost_20_is_less_3 : boolean;
-    variable winner1_cost_21_is_less, winner1_cost_21_is_less_2, winner1_cost_21_is_less_3 : boolean;
-    variable winner1_cost_22_is_less, winner1_cost_22_is_less_2, winner1_cost_22_is_less_3 : boolean;
-    variable winner1_cost_23_is_less, winner1_cost_23_is_less_2, winner1_cost_23_is_less_3 : boolean;
-    variable winner1_cost_24_is_less, winner1_cost_24_is_less_2, winner1_cost_24_is_less_3 : boolean;
-    variable winner2_cost_0_is_less, winner2_cost_0_is_less_2, winner2_cost_0_is_less_3 : boolean;
-    variable winner2_cost_1_is_less, winner2_cost_1_is_less_2, winner2_cost_1_is_less_3 : boolean;
-    variable winner2_cost_2_is_less, winner2_cost_2_is_less_2, winner2_cost_2_is_less_3 : boolean;
-    variable winner2_cost_3_is_less, winner2_cost_3_is_less_2, winner2_cost_3_is_less_3 : boolean;
-    variable winner2_cost_4_is_less, winner2_cost_4_is_less_2, winner2_cost_4_is_less_3 : boolean;
-    variable winner2_cost_5_is_less, winner2_cost_5_is_less_2, winner2_cost_5_is_less_3 : boolean;
-    variable winner3_cost_0_is_less, winner3_cost_0_is_less_2, winner3_cost_0_is_less_3 : boolean;
-    variable winner3_cost_1_is_less, winner3_cost_1_is_less_2 : boolean;
-    variable raster_row_choice_2 : natural range 0 to 15;
-    variable raster_row_choice_4, raster_row_choice_5 : natural range 0 to 255;
-    variable winner1_cost_0_choice, winner1_cost_0_choice_2, winner1_cost_1_choice : natural range 0 to 2295;
-    variable winner1_cost_1_choice_2, winner1_cost_2_choice, winner1_cost_2_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_3_choice, winner1_cost_3_choice_2, winner1_cost_4_choice : natural range 0 to 2295;
-    variable winner1_cost_4_choice_2, winner1_cost_5_choice, winner1_cost_5_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_6_choice, winner1_cost_6_choice_2, winner1_cost_7_choice : natural range 0 to 2295;
-    variable winner1_cost_7_choice_2, winner1_cost_8_choice, winner1_cost_8_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_9_choice, winner1_cost_9_choice_2, winner1_cost_10_choice : natural range 0 to 2295;
-    variable winner1_cost_10_choice_2, winner1_cost_11_choice, winner1_cost_11_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_12_choice, winner1_cost_12_choice_2, winner1_cost_13_choice : natural range 0 to 2295;
-    variable winner1_cost_13_choice_2, winner1_cost_14_choice, winner1_cost_14_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_15_choice, winner1_cost_15_choice_2, winner1_cost_16_choice : natural range 0 to 2295;
-    variable winner1_cost_16_choice_2, winner1_cost_17_choice, winner1_cost_17_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_18_choice, winner1_cost_18_choice_2, winner1_cost_19_choice : natural range 0 to 2295;
-    variable winner1_cost_19_choice_2, winner1_cost_20_choice, winner1_cost_20_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_21_choice, winner1_cost_21_choice_2, winner1_cost_22_choice : natural range 0 to 2295;
-    variable winner1_cost_22_choice_2, winner1_cost_23_choice, winner1_cost_23_choice_2 : natural range 0 to 2295;
-    variable winner1_cost_24_choice, winner1_cost_24_choice_2, winner2_cost_0_choice : natural range 0 to 2295;
-    variable winner2_cost_0_choice_2, winner2_cost_1_choice, winner2_cost_1_choice_2 : natural range 0 to 2295;
-    variable winner2_cost_2_choice, winner2_cost_2_choice_2, winner2_cost_3_choice : natural range 0 to 2295;
-    variable winner2_cost_3_choice_2, winner2_cost_4_choice, winner2_cost_4_choice_2 : natural range 0 to 2295;
-    variable winner2_cost_5_choice, winner2_cost_5_choice_2, winner3_cost_0_choice : natural range 0 to 2295;
-    variable winner3_cost_0_choice_2, winner3_cost_1_choice : natural range 0 to 2295;
-    variable winner1_index_0_choice : natural range 0 to 2;
-    variable winner1_index_1_choice : natural range 4 to 5;
-    variable winner1_index_1_choice_2 : natural range 4 to 6;
-    variable winner1_index_2_choice : natural range 8 to 9;
-    variable winner1_index_2_choice_2 : natural range 8 to 10;
-    variable winner1_index_3_choice : natural range 12 to 13;
-    variable winner1_index_3_choice_2 : natural range 12 to 14;
-    variable winner1_index_4_choice : natural range 16 to 17;
-    variable winner1_index_4_choice_2 : natural range 16 to 18;
-    variable winner1_index_5_choice : natural range 20 to 21;
-    variable winner1_index_5_choice_2 : natural range 20 to 22;
-    variable winner1_index_6_choice : natural range 24 to 25;
-    variable winner1_index_6_choice_2 : natural range 24 to 26;
-    variable winner1_index_7_choice : natural range 28 to 29;
-    variable winner1_index_7_choice_2 : natural range 28 to 30;
-    variable winner1_index_8_choice : natural range 32 to 33;
-    variable winner1_index_8_choice_2 : natural range 32 to 34;
-    variable winner1_index_9_choice : natural range 36 to 37;
-    variable winner1_index_9_choice_2 : natural range 36 to 38;
-    variable winner1_index_10_choice : natural range 40 to 41;
-    variable winner1_index_10_choice_2 : natural range 40 to 42;
-    variable winner1_index_11_choice : natural range 44 to 45;
-    variable winner1_index_11_choice_2 : natural range 44 to 46;
-    variable winner1_index_12_choice : natural range 48 to 49;
-    variable winner1_index_12_choice_2 : natural range 48 to 50;
-    variable winner1_index_13_choice : natural range 52 to 53;
-    variable winner1_index_13_choice_2 : natural range 52 to 54;
-    variable winner1_index_14_choice : natural range 56 to 57;
-    variable winner1_index_14_choice_2 : natural range 56 to 58;
-    variable winner1_index_15_choice : natural range 60 to 61;
-    variable winner1_index_15_choice_2 : natural range 60 to 62;
-    variable winner1_index_16_choice : natural range 64 to 65;
-    variable winner1_index_16_choice_2 : natural range 64 to 66;
-    variable winner1_index_17_choice : natural range 68 to 69;
-    variable winner1_index_17_choice_2 : natural range 68 to 70;
-    variable winner1_index_18_choice : natural range 72 to 73;
-    variable winner1_index_18_choice_2 : natural range 72 to 74;
-    variable winner1_index_19_choice : natural range 76 to 77;
-    variable winner1_index_19_choice_2 : natural range 76 to 78;
-    variable winner1_index_20_choice : natural range 80 to 81;
-    variable winner1_index_20_choice_2 : natural range 80 to 82;
-    variable winner1_index_21_choice : natural range 84 to 85;
-    variable winner1_index_21_choice_2 : natural range 84 to 86;
-    variable winner1_index_22_choice : natural range 88 to 89;
-    variable winner1_index_22_choice_2 : natural range 88 to 90;
-    variable winner1_index_23_choice : natural range 92 to 93;
-    variable winner1_index_23_choice_2 : natural range 92 to 94;
-    variable winner1_index_24_choice : natural range 96 to 97;
-    variable winner1_index_24_choice_2 : natural range 96 to 98;
-    variable winner2_index_0_choice : natural range 0 to 7;
-    variable winner2_index_0_choice_2 : natural range 0 to 11;
-    variable winner2_index_1_choice : natural range 0 to 23;
-    variable winner2_index_1_choice_2 : natural range 0 to 27;
-    variable winner2_index_2_choice : natural range 0 to 39;
-    variable winner2_index_2_choice_2 : natural range 0 to 43;
-    variable winner2_index_3_choice : natural range 0 to 55;
-    variable winner2_index_3_choice_2 : natural range 0 to 59;
-    variable winner2_index_4_choice : natural range 0 to 71;
-    variable winner2_index_4_choice_2 : natural range 0 to 75;
-    variable winner2_index_5_choice : natural range 0 to 87;
-    variable winner2_index_5_choice_2 : natural range 0 to 91;
-    variable winner3_index_0_choice : natural range 0 to 31;
-    variable winner3_index_0_choice_2 : natural range 0 to 47;
-    variable winner3_index_1_choice : natural range 0 to 95;
+    variable raster_column_all, raster_column_is_equal, raster_group_is_equal, raster_group_all : boolean;
+    variable raster_group_choice_2, raster_group_is_equal_2, raster_next_frame_choice : boolean;
+    variable raster_next_frame_choice_2, slice0winner1_cost_0_0_is_less, slice0winner1_cost_0_1_is_less : boolean;
+    variable slice0winner1_cost_0_2_is_less, slice0winner1_cost_0_3_is_less, slice0winner1_cost_0_4_is_less : boolean;
+    variable slice0winner1_cost_0_5_is_less, slice0winner1_cost_0_6_is_less, slice0winner1_cost_0_7_is_less : boolean;
+    variable slice0winner1_cost_0_8_is_less, slice0winner1_cost_0_9_is_less, slice0winner1_cost_0_10_is_less : boolean;
+    variable slice0winner1_cost_0_11_is_less, slice0winner2_cost_0_0_is_less, slice0winner2_cost_0_1_is_less : boolean;
+    variable slice0winner2_cost_0_2_is_less, slice0winner2_cost_0_3_is_less, slice0winner2_cost_0_4_is_less : boolean;
+    variable slice0winner2_cost_0_5_is_less, slice0winner3_cost_0_0_is_less, slice0winner3_cost_0_1_is_less : boolean;
+    variable slice0winner3_cost_0_2_is_less, slice0winner4_cost_0_0_is_less, slice0winner4_cost_0_1_is_less : boolean;
+    variable slice1winner1_cost_0_0_is_less, slice1winner1_cost_0_1_is_less, slice1winner1_cost_0_2_is_less : boolean;
+    variable slice1winner1_cost_0_3_is_less, slice1winner1_cost_0_4_is_less, slice1winner1_cost_0_5_is_less : boolean;
+    variable slice1winner1_cost_0_6_is_less, slice1winner1_cost_0_7_is_less, slice1winner1_cost_0_8_is_less : boolean;
+    variable slice1winner1_cost_0_9_is_less, slice1winner1_cost_0_10_is_less, slice1winner1_cost_0_11_is_less : boolean;
+    variable slice1winner2_cost_0_0_is_less, slice1winner2_cost_0_1_is_less, slice1winner2_cost_0_2_is_less : boolean;
+    variable slice1winner2_cost_0_3_is_less, slice1winner2_cost_0_4_is_less, slice1winner2_cost_0_5_is_less : boolean;
+    variable slice1winner3_cost_0_0_is_less, slice1winner3_cost_0_1_is_less, slice1winner3_cost_0_2_is_less : boolean;
+    variable slice1winner4_cost_0_0_is_less, slice1winner4_cost_0_1_is_less, slice1best_cost_0_is_less : boolean;
+    variable slice2winner1_cost_0_0_is_less, slice2winner1_cost_0_1_is_less, slice2winner1_cost_0_2_is_less : boolean;
+    variable slice2winner1_cost_0_3_is_less, slice2winner1_cost_0_4_is_less, slice2winner1_cost_0_5_is_less : boolean;
+    variable slice2winner1_cost_0_6_is_less, slice2winner1_cost_0_7_is_less, slice2winner1_cost_0_8_is_less : boolean;
+    variable slice2winner1_cost_0_9_is_less, slice2winner1_cost_0_10_is_less, slice2winner1_cost_0_11_is_less : boolean;
+    variable slice2winner2_cost_0_0_is_less, slice2winner2_cost_0_1_is_less, slice2winner2_cost_0_2_is_less : boolean;
+    variable slice2winner2_cost_0_3_is_less, slice2winner2_cost_0_4_is_less, slice2winner2_cost_0_5_is_less : boolean;
+    variable slice2winner3_cost_0_0_is_less, slice2winner3_cost_0_1_is_less, slice2winner3_cost_0_2_is_less : boolean;
+    variable slice2winner4_cost_0_0_is_less, slice2winner4_cost_0_1_is_less, slice2best_cost_0_is_less : boolean;
+    variable slice3winner1_cost_0_0_is_less, slice3winner1_cost_0_1_is_less, slice3winner1_cost_0_2_is_less : boolean;
+    variable slice3winner1_cost_0_3_is_less, slice3winner1_cost_0_4_is_less, slice3winner1_cost_0_5_is_less : boolean;
+    variable slice3winner1_cost_0_6_is_less, slice3winner1_cost_0_7_is_less, slice3winner1_cost_0_8_is_less : boolean;
+    variable slice3winner1_cost_0_9_is_less, slice3winner1_cost_0_10_is_less, slice3winner1_cost_0_11_is_less : boolean;
+    variable slice3winner2_cost_0_0_is_less, slice3winner2_cost_0_1_is_less, slice3winner2_cost_0_2_is_less : boolean;
+    variable slice3winner2_cost_0_3_is_less, slice3winner2_cost_0_4_is_less, slice3winner2_cost_0_5_is_less : boolean;
+    variable slice3winner3_cost_0_0_is_less, slice3winner3_cost_0_1_is_less, slice3winner3_cost_0_2_is_less : boolean;
+    variable slice3winner4_cost_0_0_is_less, slice3winner4_cost_0_1_is_less : boolean;
+    variable raster_column_choice, raster_column_choice_2 : natural range 0 to 511;
+    variable raster_group_choice : natural range 0 to 15;
+    variable raster_group_choice_3, raster_group_choice_4, raster_group_choice_5 : natural range 0 to 255;
+    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_8_choice, slice0cost_pair_0_9_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_10_choice, slice0cost_pair_0_11_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_12_choice, slice0cost_pair_0_13_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_14_choice, slice0cost_pair_0_15_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_16_choice, slice0cost_pair_0_17_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_18_choice, slice0cost_pair_0_19_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_20_choice, slice0cost_pair_0_21_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_22_choice, slice0cost_pair_0_23_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_24_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_3_choice, slice1cost_pair_0_4_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_5_choice, slice1cost_pair_0_6_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_7_choice, slice1cost_pair_0_8_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_9_choice, slice1cost_pair_0_10_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_11_choice, slice1cost_pair_0_12_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_13_choice, slice1cost_pair_0_14_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_15_choice, slice1cost_pair_0_16_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_17_choice, slice1cost_pair_0_18_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_19_choice, slice1cost_pair_0_20_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_21_choice, slice1cost_pair_0_22_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_23_choice, slice1cost_pair_0_24_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_2_choice, slice2cost_pair_0_3_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_4_choice, slice2cost_pair_0_5_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_6_choice, slice2cost_pair_0_7_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_8_choice, slice2cost_pair_0_9_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_10_choice, slice2cost_pair_0_11_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_12_choice, slice2cost_pair_0_13_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_14_choice, slice2cost_pair_0_15_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_16_choice, slice2cost_pair_0_17_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_18_choice, slice2cost_pair_0_19_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_20_choice, slice2cost_pair_0_21_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_22_choice, slice2cost_pair_0_23_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_24_choice, slice3cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_1_choice, slice3cost_pair_0_2_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_3_choice, slice3cost_pair_0_4_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_5_choice, slice3cost_pair_0_6_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_7_choice, slice3cost_pair_0_8_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_9_choice, slice3cost_pair_0_10_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_11_choice, slice3cost_pair_0_12_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_13_choice, slice3cost_pair_0_14_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_15_choice, slice3cost_pair_0_16_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_17_choice, slice3cost_pair_0_18_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_19_choice, slice3cost_pair_0_20_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_21_choice, slice3cost_pair_0_22_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_23_choice, slice3cost_pair_0_24_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_row_is_equal := (raster_row mod 16) = 1;
-      raster_row_differs := (raster_row / 16) /= 15;
-      raster_row_is_equal_2 := raster_column = 319;
-      raster_row_choice := raster_row_differs and raster_row_is_equal_2 when raster_row_is_equal else
-        raster_row_is_equal_2;
-      raster_row_is_equal_3 := raster_row = 239;
-      raster_row_choice_2 := 15 when raster_row_choice and raster_row_is_equal_3 else 0;
-      raster_row_choice_3 := raster_row_differs and raster_row_is_equal_2 and in_valid when raster_row_is_equal else
-        raster_row_is_equal_2 and in_valid;
-      raster_row_is_equal_4 := raster_row = 240;
-      raster_row_choice_4 := 1 when raster_row_is_equal_4 and raster_next_frame else (raster_row + 1) mod 256;
-      raster_row_choice_5 := raster_row_choice_4 when raster_row_choice_3 else raster_row;
-      raster_left <= in_left_pixel;
+      raster_column_all := in_start_of_frame and in_valid;
+      raster_column_is_equal := raster_column = 319;
+      raster_column_choice := 0 when raster_column_is_equal else (raster_column + 1) mod 512;
+      raster_column_choice_2 := raster_column_choice when in_valid else raster_column;
+      raster_group_is_equal := raster_group = 239;
+      raster_group_all := raster_column_is_equal and raster_group_is_equal;
+      raster_group_choice := 15 when raster_group_all else 0;
+      raster_group_choice_2 := ((raster_group / 16) /= 15) and raster_column_is_equal when (raster_group mod 16) = 1
+        else raster_column_is_equal;
+      raster_group_is_equal_2 := raster_group = 240;
+      raster_group_choice_3 := 1 when raster_group_is_equal_2 and raster_next_frame else (raster_group + 1) mod 256;
+      raster_group_choice_4 := raster_group_choice_3 when raster_group_choice_2 else raster_group;
+      raster_group_choice_5 := raster_group_choice_4 when in_valid else raster_group;
+      raster_next_frame_choice := (not in_valid) and raster_next_frame when raster_group_is_equal_2 else
+        raster_next_frame;
+      raster_next_frame_choice_2 := raster_next_frame_choice when raster_group_choice_2 else raster_next_frame;
+      raster_left_0 <= in_left_pixel;
       raster_right <= in_right_pixel;
       raster_valid <= in_valid;
-      raster_row <= raster_row_choice_2 * 16 when in_start_of_frame and in_valid else raster_row_choice_5;
-      raster_next_frame_differs := raster_column /= 319;
-      raster_next_frame_choice := raster_next_frame_differs and (not in_start_of_frame) and raster_next_frame when
-        raster_row_is_equal_4 else (not in_start_of_frame) and raster_next_frame;
-      if in_valid then
-        raster_column <= 0 when raster_row_is_equal_2 or in_start_of_frame else (raster_column + 1) mod 512;
-        raster_next_frame <= raster_next_frame_choice or (raster_row_choice and raster_row_is_equal_3 and
-          in_start_of_frame);
-      end if;
+      raster_column <= 0 when raster_column_all else raster_column_choice_2;
+      raster_group <= raster_group_choice * 16 when raster_column_all else raster_group_choice_5;
+      raster_next_frame <= raster_group_all or (not in_start_of_frame) or (not in_valid) when
+        raster_next_frame_choice_2 else raster_column_is_equal and raster_group_is_equal and in_start_of_frame and
+        in_valid;
       -- reference
       if raster_valid then
         reference_read_address <= 0 when reference_read_address = 99 else (reference_read_address + 1) mod 128;
         reference_write_address <= reference_read_address;
       end if;
-      reference_row_inside_1_is_less := ((raster_row + 65535) mod 65536) < 240;
-      reference_tag_cost_column_is_less := 98 < raster_column;
-      reference_left <= raster_left;
+      reference_left_0 <= raster_left_0;
       reference_column <= raster_column;
-      reference_row_inside_0 <= (not ((raster_row / 128) = 1)) or (not (((raster_row / 64) mod 2) = 1)) or (not
-        (((raster_row / 32) mod 2) = 1)) or (not (((raster_row / 16) mod 2) = 1));
-      reference_row_inside_1 <= reference_row_inside_1_is_less;
-      reference_row_inside_2 <= (((((raster_row / 2) + 32767) mod 32768) * 2) + (raster_row mod 2)) < 240;
+      reference_row_inside_0 <= (((((raster_group / 2) + 32767) mod 32768) * 2) + (raster_group mod 2)) < 240;
+      reference_row_inside_1 <= ((raster_group + 65535) mod 65536) < 240;
+      reference_row_inside_2 <= (not ((raster_group / 128) = 1)) or (not (((raster_group / 64) mod 2) = 1)) or (not
+        (((raster_group / 32) mod 2) = 1)) or (not (((raster_group / 16) mod 2) = 1));
       reference_tag_valid <= raster_valid;
-      reference_tag_cost_column <= reference_tag_cost_column_is_less;
-      reference_tag_output_column <= reference_tag_cost_column_is_less and reference_row_inside_1_is_less and
-        raster_next_frame_differs;
-      reference_tag_start_of_frame <= (raster_column = 99) and (raster_row = 1);
+      reference_tag_border_column <= raster_column < 99;
+      reference_tag_output_column <= (raster_column >= 99) and (((raster_group + 65295) mod 65536) >= 65296) and
+        (raster_column /= 319);
+      reference_tag_start_of_frame <= (raster_column = 99) and (raster_group = 1);
       reference_tag_end_of_line <= raster_column = 318;
       -- rows
-      if reference_tag_valid then
-        rows_newest_left <= reference_left;
-        rows_newest_right <= to_integer(reference_right);
-        rows_write_column <= reference_column;
+      rows_read_left_0 <= reference_left_0;
+      rows_read_right_0 <= to_integer(reference_right);
+      rows_read_column <= reference_column;
+      rows_read_inside_0 <= reference_row_inside_0;
+      rows_read_inside_1 <= reference_row_inside_1;
+      rows_read_inside_2 <= reference_row_inside_2;
+      rows_read_tag_valid <= reference_tag_valid;
+      rows_read_tag_border_column <= reference_tag_border_column;
+      rows_read_tag_output_column <= reference_tag_output_column;
+      rows_read_tag_start_of_frame <= reference_tag_start_of_frame;
+      rows_read_tag_end_of_line <= reference_tag_end_of_line;
+      rows_ready_left_word <= to_integer(rows_read_left_word);
+      rows_ready_right_word <= to_integer(rows_read_right_word);
+      rows_ready_left_0 <= rows_read_left_0;
+      rows_ready_right_0 <= rows_read_right_0;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_2 <= rows_read_inside_2;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_left_0 <= rows_ready_left_word mod 256 when rows_ready_inside_0 else 0;
+      rows_left_1 <= rows_ready_left_word / 256 when rows_ready_inside_1 else 0;
+      rows_left_2 <= rows_ready_left_0 when rows_ready_inside_2 else 0;
+      rows_right_0 <= rows_ready_right_word mod 256 when rows_ready_inside_0 else 0;
+      rows_right_1 <= rows_ready_right_word / 256 when rows_ready_inside_1 else 0;
+      rows_right_2 <= rows_ready_right_0 when rows_ready_inside_2 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_write_left <= (rows_ready_left_0 * 256) + (rows_ready_left_word / 256);
+        rows_write_right <= (rows_ready_right_0 * 256) + (rows_ready_right_word / 256);
+        rows_write_column <= rows_ready_column;
       end if;
-      rows_inside_before_0 <= reference_row_inside_0;
-      rows_inside_before_1 <= reference_row_inside_1;
-      rows_inside_before_2 <= reference_row_inside_2;
-      rows_tag_before_valid <= reference_tag_valid;
-      rows_tag_before_cost_column <= reference_tag_cost_column;
-      rows_tag_before_output_column <= reference_tag_output_column;
-      rows_tag_before_start_of_frame <= reference_tag_start_of_frame;
-      rows_tag_before_end_of_line <= reference_tag_end_of_line;
-      rows_left_0 <= rows_newest_left when rows_inside_before_0 else 0;
-      rows_left_1 <= to_integer(rows_word(7 downto 0)) when rows_inside_before_1 else 0;
-      rows_left_2 <= to_integer(rows_word(23 downto 16)) when rows_inside_before_2 else 0;
-      rows_right_0 <= rows_newest_right when rows_inside_before_0 else 0;
-      rows_right_1 <= to_integer(rows_word(15 downto 8)) when rows_inside_before_1 else 0;
-      rows_right_2 <= to_integer(rows_word(31 downto 24)) when rows_inside_before_2 else 0;
-      rows_tag_valid <= rows_tag_before_valid;
-      rows_tag_cost_column <= rows_tag_before_cost_column;
-      rows_tag_output_column <= rows_tag_before_output_column;
-      rows_tag_start_of_frame <= rows_tag_before_start_of_frame;
-      rows_tag_end_of_line <= rows_tag_before_end_of_line;
-      -- shift
+      -- slice0shift
       if rows_tag_valid then
-        shift_left_0_0 <= shift_left_0_1;
-        shift_left_0_1 <= shift_left_0_2;
-        shift_left_0_2 <= shift_left_0_3;
-        shift_left_0_3 <= shift_left_0_4;
-        shift_left_0_4 <= shift_left_0_5;
-        shift_left_0_5 <= shift_left_0_6;
-        shift_left_0_6 <= shift_left_0_7;
-        shift_left_0_7 <= shift_left_0_8;
-        shift_left_0_8 <= shift_left_0_9;
-        shift_left_0_9 <= shift_left_0_10;
-        shift_left_0_10 <= shift_left_0_11;
-        shift_left_0_11 <= shift_left_0_12;
-        shift_left_0_12 <= shift_left_0_13;
-        shift_left_0_13 <= shift_left_0_14;
-        shift_left_0_14 <= shift_left_0_15;
-        shift_left_0_15 <= shift_left_0_16;
-        shift_left_0_16 <= shift_left_0_17;
-        shift_left_0_17 <= shift_left_0_18;
-        shift_left_0_18 <= shift_left_0_19;
-        shift_left_0_19 <= shift_left_0_20;
-        shift_left_0_20 <= shift_left_0_21;
-        shift_left_0_21 <= shift_left_0_22;
-        shift_left_0_22 <= shift_left_0_23;
-        shift_left_0_23 <= shift_left_0_24;
-        shift_left_0_24 <= shift_left_0_25;
-        shift_left_0_25 <= shift_left_0_26;
-        shift_left_0_26 <= shift_left_0_27;
-        shift_left_0_27 <= shift_left_0_28;
-        shift_left_0_28 <= shift_left_0_29;
-        shift_left_0_29 <= shift_left_0_30;
-        shift_left_0_30 <= shift_left_0_31;
-        shift_left_0_31 <= shift_left_0_32;
-        shift_left_0_32 <= shift_left_0_33;
-        shift_left_0_33 <= shift_left_0_34;
-        shift_left_0_34 <= shift_left_0_35;
-        shift_left_0_35 <= shift_left_0_36;
-        shift_left_0_36 <= shift_left_0_37;
-        shift_left_0_37 <= shift_left_0_38;
-        shift_left_0_38 <= shift_left_0_39;
-        shift_left_0_39 <= shift_left_0_40;
-        shift_left_0_40 <= shift_left_0_41;
-        shift_left_0_41 <= shift_left_0_42;
-        shift_left_0_42 <= shift_left_0_43;
-        shift_left_0_43 <= shift_left_0_44;
-        shift_left_0_44 <= shift_left_0_45;
-        shift_left_0_45 <= shift_left_0_46;
-        shift_left_0_46 <= shift_left_0_47;
-        shift_left_0_47 <= shift_left_0_48;
-        shift_left_0_48 <= shift_left_0_49;
-        shift_left_0_49 <= shift_left_0_50;
-        shift_left_0_50 <= shift_left_0_51;
-        shift_left_0_51 <= shift_left_0_52;
-        shift_left_0_52 <= shift_left_0_53;
-        shift_left_0_53 <= shift_left_0_54;
-        shift_left_0_54 <= shift_left_0_55;
-        shift_left_0_55 <= shift_left_0_56;
-        shift_left_0_56 <= shift_left_0_57;
-        shift_left_0_57 <= shift_left_0_58;
-        shift_left_0_58 <= shift_left_0_59;
-        shift_left_0_59 <= shift_left_0_60;
-        shift_left_0_60 <= shift_left_0_61;
-        shift_left_0_61 <= shift_left_0_62;
-        shift_left_0_62 <= shift_left_0_63;
-        shift_left_0_63 <= shift_left_0_64;
-        shift_left_0_64 <= shift_left_0_65;
-        shift_left_0_65 <= shift_left_0_66;
-        shift_left_0_66 <= shift_left_0_67;
-        shift_left_0_67 <= shift_left_0_68;
-        shift_left_0_68 <= shift_left_0_69;
-        shift_left_0_69 <= shift_left_0_70;
-        shift_left_0_70 <= shift_left_0_71;
-        shift_left_0_71 <= shift_left_0_72;
-        shift_left_0_72 <= shift_left_0_73;
-        shift_left_0_73 <= shift_left_0_74;
-        shift_left_0_74 <= shift_left_0_75;
-        shift_left_0_75 <= shift_left_0_76;
-        shift_left_0_76 <= shift_left_0_77;
-        shift_left_0_77 <= shift_left_0_78;
-        shift_left_0_78 <= shift_left_0_79;
-        shift_left_0_79 <= shift_left_0_80;
-        shift_left_0_80 <= shift_left_0_81;
-        shift_left_0_81 <= shift_left_0_82;
-        shift_left_0_82 <= shift_left_0_83;
-        shift_left_0_83 <= shift_left_0_84;
-        shift_left_0_84 <= shift_left_0_85;
-        shift_left_0_85 <= shift_left_0_86;
-        shift_left_0_86 <= shift_left_0_87;
-        shift_left_0_87 <= shift_left_0_88;
-        shift_left_0_88 <= shift_left_0_89;
-        shift_left_0_89 <= shift_left_0_90;
-        shift_left_0_90 <= shift_left_0_91;
-        shift_left_0_91 <= shift_left_0_92;
-        shift_left_0_92 <= shift_left_0_93;
-        shift_left_0_93 <= shift_left_0_94;
-        shift_left_0_94 <= shift_left_0_95;
-        shift_left_0_95 <= shift_left_0_96;
-        shift_left_0_96 <= shift_left_0_97;
-        shift_left_0_97 <= shift_left_0_98;
-        shift_left_0_98 <= shift_left_0_99;
-        shift_left_0_99 <= rows_left_0;
-        shift_left_1_0 <= shift_left_1_1;
-        shift_left_1_1 <= shift_left_1_2;
-        shift_left_1_2 <= shift_left_1_3;
-        shift_left_1_3 <= shift_left_1_4;
-        shift_left_1_4 <= shift_left_1_5;
-        shift_left_1_5 <= shift_left_1_6;
-        shift_left_1_6 <= shift_left_1_7;
-        shift_left_1_7 <= shift_left_1_8;
-        shift_left_1_8 <= shift_left_1_9;
-        shift_left_1_9 <= shift_left_1_10;
-        shift_left_1_10 <= shift_left_1_11;
-        shift_left_1_11 <= shift_left_1_12;
-        shift_left_1_12 <= shift_left_1_13;
-        shift_left_1_13 <= shift_left_1_14;
-        shift_left_1_14 <= shift_left_1_15;
-        shift_left_1_15 <= shift_left_1_16;
-        shift_left_1_16 <= shift_left_1_17;
-        shift_left_1_17 <= shift_left_1_18;
-        shift_left_1_18 <= shift_left_1_19;
-        shift_left_1_19 <= shift_left_1_20;
-        shift_left_1_20 <= shift_left_1_21;
-        shift_left_1_21 <= shift_left_1_22;
-        shift_left_1_22 <= shift_left_1_23;
-        shift_left_1_23 <= shift_left_1_24;
-        shift_left_1_24 <= shift_left_1_25;
-        shift_left_1_25 <= shift_left_1_26;
-        shift_left_1_26 <= shift_left_1_27;
-        shift_left_1_27 <= shift_left_1_28;
-        shift_left_1_28 <= shift_left_1_29;
-        shift_left_1_29 <= shift_left_1_30;
-        shift_left_1_30 <= shift_left_1_31;
-        shift_left_1_31 <= shift_left_1_32;
-        shift_left_1_32 <= shift_left_1_33;
-        shift_left_1_33 <= shift_left_1_34;
-        shift_left_1_34 <= shift_left_1_35;
-        shift_left_1_35 <= shift_left_1_36;
-        shift_left_1_36 <= shift_left_1_37;
-        shift_left_1_37 <= shift_left_1_38;
-        shift_left_1_38 <= shift_left_1_39;
-        shift_left_1_39 <= shift_left_1_40;
-        shift_left_1_40 <= shift_left_1_41;
-        shift_left_1_41 <= shift_left_1_42;
-        shift_left_1_42 <= shift_left_1_43;
-        shift_left_1_43 <= shift_left_1_44;
-        shift_left_1_44 <= shift_left_1_45;
-        shift_left_1_45 <= shift_left_1_46;
-        shift_left_1_46 <= shift_left_1_47;
-        shift_left_1_47 <= shift_left_1_48;
-        shift_left_1_48 <= shift_left_1_49;
-        shift_left_1_49 <= shift_left_1_50;
-        shift_left_1_50 <= shift_left_1_51;
-        shift_left_1_51 <= shift_left_1_52;
-        shift_left_1_52 <= shift_left_1_53;
-        shift_left_1_53 <= shift_left_1_54;
-        shift_left_1_54 <= shift_left_1_55;
-        shift_left_1_55 <= shift_left_1_56;
-        shift_left_1_56 <= shift_left_1_57;
-        shift_left_1_57 <= shift_left_1_58;
-        shift_left_1_58 <= shift_left_1_59;
-        shift_left_1_59 <= shift_left_1_60;
-        shift_left_1_60 <= shift_left_1_61;
-        shift_left_1_61 <= shift_left_1_62;
-        shift_left_1_62 <= shift_left_1_63;
-        shift_left_1_63 <= shift_left_1_64;
-        shift_left_1_64 <= shift_left_1_65;
-        shift_left_1_65 <= shift_left_1_66;
-        shift_left_1_66 <= shift_left_1_67;
-        shift_left_1_67 <= shift_left_1_68;
-        shift_left_1_68 <= shift_left_1_69;
-        shift_left_1_69 <= shift_left_1_70;
-        shift_left_1_70 <= shift_left_1_71;
-        shift_left_1_71 <= shift_left_1_72;
-        shift_left_1_72 <= shift_left_1_73;
-        shift_left_1_73 <= shift_left_1_74;
-        shift_left_1_74 <= shift_left_1_75;
-        shift_left_1_75 <= shift_left_1_76;
-        shift_left_1_76 <= shift_left_1_77;
-        shift_left_1_77 <= shift_left_1_78;
-        shift_left_1_78 <= shift_left_1_79;
-        shift_left_1_79 <= shift_left_1_80;
-        shift_left_1_80 <= shift_left_1_81;
-        shift_left_1_81 <= shift_left_1_82;
-        shift_left_1_82 <= shift_left_1_83;
-        shift_left_1_83 <= shift_left_1_84;
-        shift_left_1_84 <= shift_left_1_85;
-        shift_left_1_85 <= shift_left_1_86;
-        shift_left_1_86 <= shift_left_1_87;
-        shift_left_1_87 <= shift_left_1_88;
-        shift_left_1_88 <= shift_left_1_89;
-        shift_left_1_89 <= shift_left_1_90;
-        shift_left_1_90 <= shift_left_1_91;
-        shift_left_1_91 <= shift_left_1_92;
-        shift_left_1_92 <= shift_left_1_93;
-        shift_left_1_93 <= shift_left_1_94;
-        shift_left_1_94 <= shift_left_1_95;
-        shift_left_1_95 <= shift_left_1_96;
-        shift_left_1_96 <= shift_left_1_97;
-        shift_left_1_97 <= shift_left_1_98;
-        shift_left_1_98 <= shift_left_1_99;
-        shift_left_1_99 <= rows_left_1;
-        shift_left_2_0 <= shift_left_2_1;
-        shift_left_2_1 <= shift_left_2_2;
-        shift_left_2_2 <= shift_left_2_3;
-        shift_left_2_3 <= shift_left_2_4;
-        shift_left_2_4 <= shift_left_2_5;
-        shift_left_2_5 <= shift_left_2_6;
-        shift_left_2_6 <= shift_left_2_7;
-        shift_left_2_7 <= shift_left_2_8;
-        shift_left_2_8 <= shift_left_2_9;
-        shift_left_2_9 <= shift_left_2_10;
-        shift_left_2_10 <= shift_left_2_11;
-        shift_left_2_11 <= shift_left_2_12;
-        shift_left_2_12 <= shift_left_2_13;
-        shift_left_2_13 <= shift_left_2_14;
-        shift_left_2_14 <= shift_left_2_15;
-        shift_left_2_15 <= shift_left_2_16;
-        shift_left_2_16 <= shift_left_2_17;
-        shift_left_2_17 <= shift_left_2_18;
-        shift_left_2_18 <= shift_left_2_19;
-        shift_left_2_19 <= shift_left_2_20;
-        shift_left_2_20 <= shift_left_2_21;
-        shift_left_2_21 <= shift_left_2_22;
-        shift_left_2_22 <= shift_left_2_23;
-        shift_left_2_23 <= shift_left_2_24;
-        shift_left_2_24 <= shift_left_2_25;
-        shift_left_2_25 <= shift_left_2_26;
-        shift_left_2_26 <= shift_left_2_27;
-        shift_left_2_27 <= shift_left_2_28;
-        shift_left_2_28 <= shift_left_2_29;
-        shift_left_2_29 <= shift_left_2_30;
-        shift_left_2_30 <= shift_left_2_31;
-        shift_left_2_31 <= shift_left_2_32;
-        shift_left_2_32 <= shift_left_2_33;
-        shift_left_2_33 <= shift_left_2_34;
-        shift_left_2_34 <= shift_left_2_35;
-        shift_left_2_35 <= shift_left_2_36;
-        shift_left_2_36 <= shift_left_2_37;
-        shift_left_2_37 <= shift_left_2_38;
-        shift_left_2_38 <= shift_left_2_39;
-        shift_left_2_39 <= shift_left_2_40;
-        shift_left_2_40 <= shift_left_2_41;
-        shift_left_2_41 <= shift_left_2_42;
-        shift_left_2_42 <= shift_left_2_43;
-        shift_left_2_43 <= shift_left_2_44;
-        shift_left_2_44 <= shift_left_2_45;
-        shift_left_2_45 <= shift_left_2_46;
-        shift_left_2_46 <= shift_left_2_47;
-        shift_left_2_47 <= shift_left_2_48;
-        shift_left_2_48 <= shift_left_2_49;
-        shift_left_2_49 <= shift_left_2_50;
-        shift_left_2_50 <= shift_left_2_51;
-        shift_left_2_51 <= shift_left_2_52;
-        shift_left_2_52 <= shift_left_2_53;
-        shift_left_2_53 <= shift_left_2_54;
-        shift_left_2_54 <= shift_left_2_55;
-        shift_left_2_55 <= shift_left_2_56;
-        shift_left_2_56 <= shift_left_2_57;
-        shift_left_2_57 <= shift_left_2_58;
-        shift_left_2_58 <= shift_left_2_59;
-        shift_left_2_59 <= shift_left_2_60;
-        shift_left_2_60 <= shift_left_2_61;
-        shift_left_2_61 <= shift_left_2_62;
-        shift_left_2_62 <= shift_left_2_63;
-        shift_left_2_63 <= shift_left_2_64;
-        shift_left_2_64 <= shift_left_2_65;
-        shift_left_2_65 <= shift_left_2_66;
-        shift_left_2_66 <= shift_left_2_67;
-        shift_left_2_67 <= shift_left_2_68;
-        shift_left_2_68 <= shift_left_2_69;
-        shift_left_2_69 <= shift_left_2_70;
-        shift_left_2_70 <= shift_left_2_71;
-        shift_left_2_71 <= shift_left_2_72;
-        shift_left_2_72 <= shift_left_2_73;
-        shift_left_2_73 <= shift_left_2_74;
-        shift_left_2_74 <= shift_left_2_75;
-        shift_left_2_75 <= shift_left_2_76;
-        shift_left_2_76 <= shift_left_2_77;
-        shift_left_2_77 <= shift_left_2_78;
-        shift_left_2_78 <= shift_left_2_79;
-        shift_left_2_79 <= shift_left_2_80;
-        shift_left_2_80 <= shift_left_2_81;
-        shift_left_2_81 <= shift_left_2_82;
-        shift_left_2_82 <= shift_left_2_83;
-        shift_left_2_83 <= shift_left_2_84;
-        shift_left_2_84 <= shift_left_2_85;
-        shift_left_2_85 <= shift_left_2_86;
-        shift_left_2_86 <= shift_left_2_87;
-        shift_left_2_87 <= shift_left_2_88;
-        shift_left_2_88 <= shift_left_2_89;
-        shift_left_2_89 <= shift_left_2_90;
-        shift_left_2_90 <= shift_left_2_91;
-        shift_left_2_91 <= shift_left_2_92;
-        shift_left_2_92 <= shift_left_2_93;
-        shift_left_2_93 <= shift_left_2_94;
-        shift_left_2_94 <= shift_left_2_95;
-        shift_left_2_95 <= shift_left_2_96;
-        shift_left_2_96 <= shift_left_2_97;
-        shift_left_2_97 <= shift_left_2_98;
-        shift_left_2_98 <= shift_left_2_99;
-        shift_left_2_99 <= rows_left_2;
+        slice0shift_left_0_0 <= slice0shift_left_0_1;
+        slice0shift_left_0_1 <= slice0shift_left_0_2;
+        slice0shift_left_0_2 <= slice0shift_left_0_3;
+        slice0shift_left_0_3 <= slice0shift_left_0_4;
+        slice0shift_left_0_4 <= slice0shift_left_0_5;
+        slice0shift_left_0_5 <= slice0shift_left_0_6;
+        slice0shift_left_0_6 <= slice0shift_left_0_7;
+        slice0shift_left_0_7 <= slice0shift_left_0_8;
+        slice0shift_left_0_8 <= slice0shift_left_0_9;
+        slice0shift_left_0_9 <= slice0shift_left_0_10;
+        slice0shift_left_0_10 <= slice0shift_left_0_11;
+        slice0shift_left_0_11 <= slice0shift_left_0_12;
+        slice0shift_left_0_12 <= slice0shift_left_0_13;
+        slice0shift_left_0_13 <= slice0shift_left_0_14;
+        slice0shift_left_0_14 <= slice0shift_left_0_15;
+        slice0shift_left_0_15 <= slice0shift_left_0_16;
+        slice0shift_left_0_16 <= slice0shift_left_0_17;
+        slice0shift_left_0_17 <= slice0shift_left_0_18;
+        slice0shift_left_0_18 <= slice0shift_left_0_19;
+        slice0shift_left_0_19 <= slice0shift_left_0_20;
+        slice0shift_left_0_20 <= slice0shift_left_0_21;
+        slice0shift_left_0_21 <= slice0shift_left_0_22;
+        slice0shift_left_0_22 <= slice0shift_left_0_23;
+        slice0shift_left_0_23 <= slice0shift_left_0_24;
+        slice0shift_left_0_24 <= rows_left_0;
+        slice0shift_left_1_0 <= slice0shift_left_1_1;
+        slice0shift_left_1_1 <= slice0shift_left_1_2;
+        slice0shift_left_1_2 <= slice0shift_left_1_3;
+        slice0shift_left_1_3 <= slice0shift_left_1_4;
+        slice0shift_left_1_4 <= slice0shift_left_1_5;
+        slice0shift_left_1_5 <= slice0shift_left_1_6;
+        slice0shift_left_1_6 <= slice0shift_left_1_7;
+        slice0shift_left_1_7 <= slice0shift_left_1_8;
+        slice0shift_left_1_8 <= slice0shift_left_1_9;
+        slice0shift_left_1_9 <= slice0shift_left_1_10;
+        slice0shift_left_1_10 <= slice0shift_left_1_11;
+        slice0shift_left_1_11 <= slice0shift_left_1_12;
+        slice0shift_left_1_12 <= slice0shift_left_1_13;
+        slice0shift_left_1_13 <= slice0shift_left_1_14;
+        slice0shift_left_1_14 <= slice0shift_left_1_15;
+        slice0shift_left_1_15 <= slice0shift_left_1_16;
+        slice0shift_left_1_16 <= slice0shift_left_1_17;
+        slice0shift_left_1_17 <= slice0shift_left_1_18;
+        slice0shift_left_1_18 <= slice0shift_left_1_19;
+        slice0shift_left_1_19 <= slice0shift_left_1_20;
+        slice0shift_left_1_20 <= slice0shift_left_1_21;
+        slice0shift_left_1_21 <= slice0shift_left_1_22;
+        slice0shift_left_1_22 <= slice0shift_left_1_23;
+        slice0shift_left_1_23 <= slice0shift_left_1_24;
+        slice0shift_left_1_24 <= rows_left_1;
+        slice0shift_left_2_0 <= slice0shift_left_2_1;
+        slice0shift_left_2_1 <= slice0shift_left_2_2;
+        slice0shift_left_2_2 <= slice0shift_left_2_3;
+        slice0shift_left_2_3 <= slice0shift_left_2_4;
+        slice0shift_left_2_4 <= slice0shift_left_2_5;
+        slice0shift_left_2_5 <= slice0shift_left_2_6;
+        slice0shift_left_2_6 <= slice0shift_left_2_7;
+        slice0shift_left_2_7 <= slice0shift_left_2_8;
+        slice0shift_left_2_8 <= slice0shift_left_2_9;
+        slice0shift_left_2_9 <= slice0shift_left_2_10;
+        slice0shift_left_2_10 <= slice0shift_left_2_11;
+        slice0shift_left_2_11 <= slice0shift_left_2_12;
+        slice0shift_left_2_12 <= slice0shift_left_2_13;
+        slice0shift_left_2_13 <= slice0shift_left_2_14;
+        slice0shift_left_2_14 <= slice0shift_left_2_15;
+        slice0shift_left_2_15 <= slice0shift_left_2_16;
+        slice0shift_left_2_16 <= slice0shift_left_2_17;
+        slice0shift_left_2_17 <= slice0shift_left_2_18;
+        slice0shift_left_2_18 <= slice0shift_left_2_19;
+        slice0shift_left_2_19 <= slice0shift_left_2_20;
+        slice0shift_left_2_20 <= slice0shift_left_2_21;
+        slice0shift_left_2_21 <= slice0shift_left_2_22;
+        slice0shift_left_2_22 <= slice0shift_left_2_23;
+        slice0shift_left_2_23 <= slice0shift_left_2_24;
+        slice0shift_left_2_24 <= rows_left_2;
       end if;
-      shift_right_0 <= rows_right_0;
-      shift_right_1 <= rows_right_1;
-      shift_right_2 <= rows_right_2;
-      shift_tag_valid <= rows_tag_valid;
-      shift_tag_cost_column <= rows_tag_cost_column;
-      shift_tag_output_column <= rows_tag_output_column;
-      shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      shift_tag_end_of_line <= rows_tag_end_of_line;
-      -- cost
-      cost_difference_0_0 <= magnitude(shift_left_0_0 - shift_right_0);
-      cost_difference_0_1 <= magnitude(shift_left_0_1 - shift_right_0);
-      cost_difference_0_2 <= magnitude(shift_left_0_2 - shift_right_0);
-      cost_difference_0_3 <= magnitude(shift_left_0_3 - shift_right_0);
-      cost_difference_0_4 <= magnitude(shift_left_0_4 - shift_right_0);
-      cost_difference_0_5 <= magnitude(shift_left_0_5 - shift_right_0);
-      cost_difference_0_6 <= magnitude(shift_left_0_6 - shift_right_0);
-      cost_difference_0_7 <= magnitude(shift_left_0_7 - shift_right_0);
-      cost_difference_0_8 <= magnitude(shift_left_0_8 - shift_right_0);
-      cost_difference_0_9 <= magnitude(shift_left_0_9 - shift_right_0);
-      cost_difference_0_10 <= magnitude(shift_left_0_10 - shift_right_0);
-      cost_difference_0_11 <= magnitude(shift_left_0_11 - shift_right_0);
-      cost_difference_0_12 <= magnitude(shift_left_0_12 - shift_right_0);
-      cost_difference_0_13 <= magnitude(shift_left_0_13 - shift_right_0);
-      cost_difference_0_14 <= magnitude(shift_left_0_14 - shift_right_0);
-      cost_difference_0_15 <= magnitude(shift_left_0_15 - shift_right_0);
-      cost_difference_0_16 <= magnitude(shift_left_0_16 - shift_right_0);
-      cost_difference_0_17 <= magnitude(shift_left_0_17 - shift_right_0);
-      cost_difference_0_18 <= magnitude(shift_left_0_18 - shift_right_0);
-      cost_difference_0_19 <= magnitude(shift_left_0_19 - shift_right_0);
-      cost_difference_0_20 <= magnitude(shift_left_0_20 - shift_right_0);
-      cost_difference_0_21 <= magnitude(shift_left_0_21 - shift_right_0);
-      cost_difference_0_22 <= magnitude(shift_left_0_22 - shift_right_0);
-      cost_difference_0_23 <= magnitude(shift_left_0_23 - shift_right_0);
-      cost_difference_0_24 <= magnitude(shift_left_0_24 - shift_right_0);
-      cost_difference_0_25 <= magnitude(shift_left_0_25 - shift_right_0);
-      cost_difference_0_26 <= magnitude(shift_left_0_26 - shift_right_0);
-      cost_difference_0_27 <= magnitude(shift_left_0_27 - shift_right_0);
-      cost_difference_0_28 <= magnitude(shift_left_0_28 - shift_right_0);
-      cost_difference_0_29 <= magnitude(shift_left_0_29 - shift_right_0);
-      cost_difference_0_30 <= magnitude(shift_left_0_30 - shift_right_0);
-      cost_difference_0_31 <= magnitude(shift_left_0_31 - shift_right_0);
-      cost_difference_0_32 <= magnitude(shift_left_0_32 - shift_right_0);
-      cost_difference_0_33 <= magnitude(shift_left_0_33 - shift_right_0);
-      cost_difference_0_34 <= magnitude(shift_left_0_34 - shift_right_0);
-      cost_difference_0_35 <= magnitude(shift_left_0_35 - shift_right_0);
-      cost_difference_0_36 <= magnitude(shift_left_0_36 - shift_right_0);
-      cost_difference_0_37 <= magnitude(shift_left_0_37 - shift_right_0);
-      cost_difference_0_38 <= magnitude(shift_left_0_38 - shift_right_0);
-      cost_difference_0_39 <= magnitude(shift_left_0_39 - shift_right_0);
-      cost_difference_0_40 <= magnitude(shift_left_0_40 - shift_right_0);
-      cost_difference_0_41 <= magnitude(shift_left_0_41 - shift_right_0);
-      cost_difference_0_42 <= magnitude(shift_left_0_42 - shift_right_0);
-      cost_difference_0_43 <= magnitude(shift_left_0_43 - shift_right_0);
-      cost_difference_0_44 <= magnitude(shift_left_0_44 - shift_right_0);
-      cost_difference_0_45 <= magnitude(shift_left_0_45 - shift_right_0);
-      cost_difference_0_46 <= magnitude(shift_left_0_46 - shift_right_0);
-      cost_difference_0_47 <= magnitude(shift_left_0_47 - shift_right_0);
-      cost_difference_0_48 <= magnitude(shift_left_0_48 - shift_right_0);
-      cost_difference_0_49 <= magnitude(shift_left_0_49 - shift_right_0);
-      cost_difference_0_50 <= magnitude(shift_left_0_50 - shift_right_0);
-      cost_difference_0_51 <= magnitude(shift_left_0_51 - shift_right_0);
-      cost_difference_0_52 <= magnitude(shift_left_0_52 - shift_right_0);
-      cost_difference_0_53 <= magnitude(shift_left_0_53 - shift_right_0);
-      cost_difference_0_54 <= magnitude(shift_left_0_54 - shift_right_0);
-      cost_difference_0_55 <= magnitude(shift_left_0_55 - shift_right_0);
-      cost_difference_0_56 <= magnitude(shift_left_0_56 - shift_right_0);
-      cost_difference_0_57 <= magnitude(shift_left_0_57 - shift_right_0);
-      cost_difference_0_58 <= magnitude(shift_left_0_58 - shift_right_0);
-      cost_difference_0_59 <= magnitude(shift_left_0_59 - shift_right_0);
-      cost_difference_0_60 <= magnitude(shift_left_0_60 - shift_right_0);
-      cost_difference_0_61 <= magnitude(shift_left_0_61 - shift_right_0);
-      cost_difference_0_62 <= magnitude(shift_left_0_62 - shift_right_0);
-      cost_difference_0_63 <= magnitude(shift_left_0_63 - shift_right_0);
-      cost_difference_0_64 <= magnitude(shift_left_0_64 - shift_right_0);
-      cost_difference_0_65 <= magnitude(shift_left_0_65 - shift_right_0);
-      cost_difference_0_66 <= magnitude(shift_left_0_66 - shift_right_0);
-      cost_difference_0_67 <= magnitude(shift_left_0_67 - shift_right_0);
-      cost_difference_0_68 <= magnitude(shift_left_0_68 - shift_right_0);
-      cost_difference_0_69 <= magnitude(shift_left_0_69 - shift_right_0);
-      cost_difference_0_70 <= magnitude(shift_left_0_70 - shift_right_0);
-      cost_difference_0_71 <= magnitude(shift_left_0_71 - shift_right_0);
-      cost_difference_0_72 <= magnitude(shift_left_0_72 - shift_right_0);
-      cost_difference_0_73 <= magnitude(shift_left_0_73 - shift_right_0);
-      cost_difference_0_74 <= magnitude(shift_left_0_74 - shift_right_0);
-      cost_difference_0_75 <= magnitude(shift_left_0_75 - shift_right_0);
-      cost_difference_0_76 <= magnitude(shift_left_0_76 - shift_right_0);
-      cost_difference_0_77 <= magnitude(shift_left_0_77 - shift_right_0);
-      cost_difference_0_78 <= magnitude(shift_left_0_78 - shift_right_0);
-      cost_difference_0_79 <= magnitude(shift_left_0_79 - shift_right_0);
-      cost_difference_0_80 <= magnitude(shift_left_0_80 - shift_right_0);
-      cost_difference_0_81 <= magnitude(shift_left_0_81 - shift_right_0);
-      cost_difference_0_82 <= magnitude(shift_left_0_82 - shift_right_0);
-      cost_difference_0_83 <= magnitude(shift_left_0_83 - shift_right_0);
-      cost_difference_0_84 <= magnitude(shift_left_0_84 - shift_right_0);
-      cost_difference_0_85 <= magnitude(shift_left_0_85 - shift_right_0);
-      cost_difference_0_86 <= magnitude(shift_left_0_86 - shift_right_0);
-      cost_difference_0_87 <= magnitude(shift_left_0_87 - shift_right_0);
-      cost_difference_0_88 <= magnitude(shift_left_0_88 - shift_right_0);
-      cost_difference_0_89 <= magnitude(shift_left_0_89 - shift_right_0);
-      cost_difference_0_90 <= magnitude(shift_left_0_90 - shift_right_0);
-      cost_difference_0_91 <= magnitude(shift_left_0_91 - shift_right_0);
-      cost_difference_0_92 <= magnitude(shift_left_0_92 - shift_right_0);
-      cost_difference_0_93 <= magnitude(shift_left_0_93 - shift_right_0);
-      cost_difference_0_94 <= magnitude(shift_left_0_94 - shift_right_0);
-      cost_difference_0_95 <= magnitude(shift_left_0_95 - shift_right_0);
-      cost_difference_0_96 <= magnitude(shift_left_0_96 - shift_right_0);
-      cost_difference_0_97 <= magnitude(shift_left_0_97 - shift_right_0);
-      cost_difference_0_98 <= magnitude(shift_left_0_98 - shift_right_0);
-      cost_difference_0_99 <= magnitude(shift_left_0_99 - shift_right_0);
-      cost_difference_1_0 <= magnitude(shift_left_1_0 - shift_right_1);
-      cost_difference_1_1 <= magnitude(shift_left_1_1 - shift_right_1);
-      cost_difference_1_2 <= magnitude(shift_left_1_2 - shift_right_1);
-      cost_difference_1_3 <= magnitude(shift_left_1_3 - shift_right_1);
-      cost_difference_1_4 <= magnitude(shift_left_1_4 - shift_right_1);
-      cost_difference_1_5 <= magnitude(shift_left_1_5 - shift_right_1);
-      cost_difference_1_6 <= magnitude(shift_left_1_6 - shift_right_1);
-      cost_difference_1_7 <= magnitude(shift_left_1_7 - shift_right_1);
-      cost_difference_1_8 <= magnitude(shift_left_1_8 - shift_right_1);
-      cost_difference_1_9 <= magnitude(shift_left_1_9 - shift_right_1);
-      cost_difference_1_10 <= magnitude(shift_left_1_10 - shift_right_1);
-      cost_difference_1_11 <= magnitude(shift_left_1_11 - shift_right_1);
-      cost_difference_1_12 <= magnitude(shift_left_1_12 - shift_right_1);
-      cost_difference_1_13 <= magnitude(shift_left_1_13 - shift_right_1);
-      cost_difference_1_14 <= magnitude(shift_left_1_14 - shift_right_1);
-      cost_difference_1_15 <= magnitude(shift_left_1_15 - shift_right_1);
-      cost_difference_1_16 <= magnitude(shift_left_1_16 - shift_right_1);
-      cost_difference_1_17 <= magnitude(shift_left_1_17 - shift_right_1);
-      cost_difference_1_18 <= magnitude(shift_left_1_18 - shift_right_1);
-      cost_difference_1_19 <= magnitude(shift_left_1_19 - shift_right_1);
-      cost_difference_1_20 <= magnitude(shift_left_1_20 - shift_right_1);
-      cost_difference_1_21 <= magnitude(shift_left_1_21 - shift_right_1);
-      cost_difference_1_22 <= magnitude(shift_left_1_22 - shift_right_1);
-      cost_difference_1_23 <= magnitude(shift_left_1_23 - shift_right_1);
-      cost_difference_1_24 <= magnitude(shift_left_1_24 - shift_right_1);
-      cost_difference_1_25 <= magnitude(shift_left_1_25 - shift_right_1);
-      cost_difference_1_26 <= magnitude(shift_left_1_26 - shift_right_1);
-      cost_difference_1_27 <= magnitude(shift_left_1_27 - shift_right_1);
-      cost_difference_1_28 <= magnitude(shift_left_1_28 - shift_right_1);
-      cost_difference_1_29 <= magnitude(shift_left_1_29 - shift_right_1);
-      cost_difference_1_30 <= magnitude(shift_left_1_30 - shift_right_1);
-      cost_difference_1_31 <= magnitude(shift_left_1_31 - shift_right_1);
-      cost_difference_1_32 <= magnitude(shift_left_1_32 - shift_right_1);
-      cost_difference_1_33 <= magnitude(shift_left_1_33 - shift_right_1);
-      cost_difference_1_34 <= magnitude(shift_left_1_34 - shift_right_1);
-      cost_difference_1_35 <= magnitude(shift_left_1_35 - shift_right_1);
-      cost_difference_1_36 <= magnitude(shift_left_1_36 - shift_right_1);
-      cost_difference_1_37 <= magnitude(shift_left_1_37 - shift_right_1);
-      cost_difference_1_38 <= magnitude(shift_left_1_38 - shift_right_1);
-      cost_difference_1_39 <= magnitude(shift_left_1_39 - shift_right_1);
-      cost_difference_1_40 <= magnitude(shift_left_1_40 - shift_right_1);
-      cost_difference_1_41 <= magnitude(shift_left_1_41 - shift_right_1);
-      cost_difference_1_42 <= magnitude(shift_left_1_42 - shift_right_1);
-      cost_difference_1_43 <= magnitude(shift_left_1_43 - shift_right_1);
-      cost_difference_1_44 <= magnitude(shift_left_1_44 - shift_right_1);
-      cost_difference_1_45 <= magnitude(shift_left_1_45 - shift_right_1);
-      cost_difference_1_46 <= magnitude(shift_left_1_46 - shift_right_1);
-      cost_difference_1_47 <= magnitude(shift_left_1_47 - shift_right_1);
-      cost_difference_1_48 <= magnitude(shift_left_1_48 - shift_right_1);
-      cost_difference_1_49 <= magnitude(shift_left_1_49 - shift_right_1);
-      cost_difference_1_50 <= magnitude(shift_left_1_50 - shift_right_1);
-      cost_difference_1_51 <= magnitude(shift_left_1_51 - shift_right_1);
-      cost_difference_1_52 <= magnitude(shift_left_1_52 - shift_right_1);
-      cost_difference_1_53 <= magnitude(shift_left_1_53 - shift_right_1);
-      cost_difference_1_54 <= magnitude(shift_left_1_54 - shift_right_1);
-      cost_difference_1_55 <= magnitude(shift_left_1_55 - shift_right_1);
-      cost_difference_1_56 <= magnitude(shift_left_1_56 - shift_right_1);
-      cost_difference_1_57 <= magnitude(shift_left_1_57 - shift_right_1);
-      cost_difference_1_58 <= magnitude(shift_left_1_58 - shift_right_1);
-      cost_difference_1_59 <= magnitude(shift_left_1_59 - shift_right_1);
-      cost_difference_1_60 <= magnitude(shift_left_1_60 - shift_right_1);
-      cost_difference_1_61 <= magnitude(shift_left_1_61 - shift_right_1);
-      cost_difference_1_62 <= magnitude(shift_left_1_62 - shift_right_1);
-      cost_difference_1_63 <= magnitude(shift_left_1_63 - shift_right_1);
-      cost_difference_1_64 <= magnitude(shift_left_1_64 - shift_right_1);
-      cost_difference_1_65 <= magnitude(shift_left_1_65 - shift_right_1);
-      cost_difference_1_66 <= magnitude(shift_left_1_66 - shift_right_1);
-      cost_difference_1_67 <= magnitude(shift_left_1_67 - shift_right_1);
-      cost_difference_1_68 <= magnitude(shift_left_1_68 - shift_right_1);
-      cost_difference_1_69 <= magnitude(shift_left_1_69 - shift_right_1);
-      cost_difference_1_70 <= magnitude(shift_left_1_70 - shift_right_1);
-      cost_difference_1_71 <= magnitude(shift_left_1_71 - shift_right_1);
-      cost_difference_1_72 <= magnitude(shift_left_1_72 - shift_right_1);
-      cost_difference_1_73 <= magnitude(shift_left_1_73 - shift_right_1);
-      cost_difference_1_74 <= magnitude(shift_left_1_74 - shift_right_1);
-      cost_difference_1_75 <= magnitude(shift_left_1_75 - shift_right_1);
-      cost_difference_1_76 <= magnitude(shift_left_1_76 - shift_right_1);
-      cost_difference_1_77 <= magnitude(shift_left_1_77 - shift_right_1);
-      cost_difference_1_78 <= magnitude(shift_left_1_78 - shift_right_1);
-      cost_difference_1_79 <= magnitude(shift_left_1_79 - shift_right_1);
-      cost_difference_1_80 <= magnitude(shift_left_1_80 - shift_right_1);
-      cost_difference_1_81 <= magnitude(shift_left_1_81 - shift_right_1);
-      cost_difference_1_82 <= magnitude(shift_left_1_82 - shift_right_1);
-      cost_difference_1_83 <= magnitude(shift_left_1_83 - shift_right_1);
-      cost_difference_1_84 <= magnitude(shift_left_1_84 - shift_right_1);
-      cost_difference_1_85 <= magnitude(shift_left_1_85 - shift_right_1);
-      cost_difference_1_86 <= magnitude(shift_left_1_86 - shift_right_1);
-      cost_difference_1_87 <= magnitude(shift_left_1_87 - shift_right_1);
-      cost_difference_1_88 <= magnitude(shift_left_1_88 - shift_right_1);
-      cost_difference_1_89 <= magnitude(shift_left_1_89 - shift_right_1);
-      cost_difference_1_90 <= magnitude(shift_left_1_90 - shift_right_1);
-      cost_difference_1_91 <= magnitude(shift_left_1_91 - shift_right_1);
-      cost_difference_1_92 <= magnitude(shift_left_1_92 - shift_right_1);
-      cost_difference_1_93 <= magnitude(shift_left_1_93 - shift_right_1);
-      cost_difference_1_94 <= magnitude(shift_left_1_94 - shift_right_1);
-      cost_difference_1_95 <= magnitude(shift_left_1_95 - shift_right_1);
-      cost_difference_1_96 <= magnitude(shift_left_1_96 - shift_right_1);
-      cost_difference_1_97 <= magnitude(shift_left_1_97 - shift_right_1);
-      cost_difference_1_98 <= magnitude(shift_left_1_98 - shift_right_1);
-      cost_difference_1_99 <= magnitude(shift_left_1_99 - shift_right_1);
-      cost_difference_2_0 <= magnitude(shift_left_2_0 - shift_right_2);
-      cost_difference_2_1 <= magnitude(shift_left_2_1 - shift_right_2);
-      cost_difference_2_2 <= magnitude(shift_left_2_2 - shift_right_2);
-      cost_difference_2_3 <= magnitude(shift_left_2_3 - shift_right_2);
-      cost_difference_2_4 <= magnitude(shift_left_2_4 - shift_right_2);
-      cost_difference_2_5 <= magnitude(shift_left_2_5 - shift_right_2);
-      cost_difference_2_6 <= magnitude(shift_left_2_6 - shift_right_2);
-      cost_difference_2_7 <= magnitude(shift_left_2_7 - shift_right_2);
-      cost_difference_2_8 <= magnitude(shift_left_2_8 - shift_right_2);
-      cost_difference_2_9 <= magnitude(shift_left_2_9 - shift_right_2);
-      cost_difference_2_10 <= magnitude(shift_left_2_10 - shift_right_2);
-      cost_difference_2_11 <= magnitude(shift_left_2_11 - shift_right_2);
-      cost_difference_2_12 <= magnitude(shift_left_2_12 - shift_right_2);
-      cost_difference_2_13 <= magnitude(shift_left_2_13 - shift_right_2);
-      cost_difference_2_14 <= magnitude(shift_left_2_14 - shift_right_2);
-      cost_difference_2_15 <= magnitude(shift_left_2_15 - shift_right_2);
-      cost_difference_2_16 <= magnitude(shift_left_2_16 - shift_right_2);
-      cost_difference_2_17 <= magnitude(shift_left_2_17 - shift_right_2);
-      cost_difference_2_18 <= magnitude(shift_left_2_18 - shift_right_2);
-      cost_difference_2_19 <= magnitude(shift_left_2_19 - shift_right_2);
-      cost_difference_2_20 <= magnitude(shift_left_2_20 - shift_right_2);
-      cost_difference_2_21 <= magnitude(shift_left_2_21 - shift_right_2);
-      cost_difference_2_22 <= magnitude(shift_left_2_22 - shift_right_2);
-      cost_difference_2_23 <= magnitude(shift_left_2_23 - shift_right_2);
-      cost_difference_2_24 <= magnitude(shift_left_2_24 - shift_right_2);
-      cost_difference_2_25 <= magnitude(shift_left_2_25 - shift_right_2);
-      cost_difference_2_26 <= magnitude(shift_left_2_26 - shift_right_2);
-      cost_difference_2_27 <= magnitude(shift_left_2_27 - shift_right_2);
-      cost_difference_2_28 <= magnitude(shift_left_2_28 - shift_right_2);
-      cost_difference_2_29 <= magnitude(shift_left_2_29 - shift_right_2);
-      cost_difference_2_30 <= magnitude(shift_left_2_30 - shift_right_2);
-      cost_difference_2_31 <= magnitude(shift_left_2_31 - shift_right_2);
-      cost_difference_2_32 <= magnitude(shift_left_2_32 - shift_right_2);
-      cost_difference_2_33 <= magnitude(shift_left_2_33 - shift_right_2);
-      cost_difference_2_34 <= magnitude(shift_left_2_34 - shift_right_2);
-      cost_difference_2_35 <= magnitude(shift_left_2_35 - shift_right_2);
-      cost_difference_2_36 <= magnitude(shift_left_2_36 - shift_right_2);
-      cost_difference_2_37 <= magnitude(shift_left_2_37 - shift_right_2);
-      cost_difference_2_38 <= magnitude(shift_left_2_38 - shift_right_2);
-      cost_difference_2_39 <= magnitude(shift_left_2_39 - shift_right_2);
-      cost_difference_2_40 <= magnitude(shift_left_2_40 - shift_right_2);
-      cost_difference_2_41 <= magnitude(shift_left_2_41 - shift_right_2);
-      cost_difference_2_42 <= magnitude(shift_left_2_42 - shift_right_2);
-      cost_difference_2_43 <= magnitude(shift_left_2_43 - shift_right_2);
-      cost_difference_2_44 <= magnitude(shift_left_2_44 - shift_right_2);
-      cost_difference_2_45 <= magnitude(shift_left_2_45 - shift_right_2);
-      cost_difference_2_46 <= magnitude(shift_left_2_46 - shift_right_2);
-      cost_difference_2_47 <= magnitude(shift_left_2_47 - shift_right_2);
-      cost_difference_2_48 <= magnitude(shift_left_2_48 - shift_right_2);
-      cost_difference_2_49 <= magnitude(shift_left_2_49 - shift_right_2);
-      cost_difference_2_50 <= magnitude(shift_left_2_50 - shift_right_2);
-      cost_difference_2_51 <= magnitude(shift_left_2_51 - shift_right_2);
-      cost_difference_2_52 <= magnitude(shift_left_2_52 - shift_right_2);
-      cost_difference_2_53 <= magnitude(shift_left_2_53 - shift_right_2);
-      cost_difference_2_54 <= magnitude(shift_left_2_54 - shift_right_2);
-      cost_difference_2_55 <= magnitude(shift_left_2_55 - shift_right_2);
-      cost_difference_2_56 <= magnitude(shift_left_2_56 - shift_right_2);
-      cost_difference_2_57 <= magnitude(shift_left_2_57 - shift_right_2);
-      cost_difference_2_58 <= magnitude(shift_left_2_58 - shift_right_2);
-      cost_difference_2_59 <= magnitude(shift_left_2_59 - shift_right_2);
-      cost_difference_2_60 <= magnitude(shift_left_2_60 - shift_right_2);
-      cost_difference_2_61 <= magnitude(shift_left_2_61 - shift_right_2);
-      cost_difference_2_62 <= magnitude(shift_left_2_62 - shift_right_2);
-      cost_difference_2_63 <= magnitude(shift_left_2_63 - shift_right_2);
-      cost_difference_2_64 <= magnitude(shift_left_2_64 - shift_right_2);
-      cost_difference_2_65 <= magnitude(shift_left_2_65 - shift_right_2);
-      cost_difference_2_66 <= magnitude(shift_left_2_66 - shift_right_2);
-      cost_difference_2_67 <= magnitude(shift_left_2_67 - shift_right_2);
-      cost_difference_2_68 <= magnitude(shift_left_2_68 - shift_right_2);
-      cost_difference_2_69 <= magnitude(shift_left_2_69 - shift_right_2);
-      cost_difference_2_70 <= magnitude(shift_left_2_70 - shift_right_2);
-      cost_difference_2_71 <= magnitude(shift_left_2_71 - shift_right_2);
-      cost_difference_2_72 <= magnitude(shift_left_2_72 - shift_right_2);
-      cost_difference_2_73 <= magnitude(shift_left_2_73 - shift_right_2);
-      cost_difference_2_74 <= magnitude(shift_left_2_74 - shift_right_2);
-      cost_difference_2_75 <= magnitude(shift_left_2_75 - shift_right_2);
-      cost_difference_2_76 <= magnitude(shift_left_2_76 - shift_right_2);
-      cost_difference_2_77 <= magnitude(shift_left_2_77 - shift_right_2);
-      cost_difference_2_78 <= magnitude(shift_left_2_78 - shift_right_2);
-      cost_difference_2_79 <= magnitude(shift_left_2_79 - shift_right_2);
-      cost_difference_2_80 <= magnitude(shift_left_2_80 - shift_right_2);
-      cost_difference_2_81 <= magnitude(shift_left_2_81 - shift_right_2);
-      cost_difference_2_82 <= magnitude(shift_left_2_82 - shift_right_2);
-      cost_difference_2_83 <= magnitude(shift_left_2_83 - shift_right_2);
-      cost_difference_2_84 <= magnitude(shift_left_2_84 - shift_right_2);
-      cost_difference_2_85 <= magnitude(shift_left_2_85 - shift_right_2);
-      cost_difference_2_86 <= magnitude(shift_left_2_86 - shift_right_2);
-      cost_difference_2_87 <= magnitude(shift_left_2_87 - shift_right_2);
-      cost_difference_2_88 <= magnitude(shift_left_2_88 - shift_right_2);
-      cost_difference_2_89 <= magnitude(shift_left_2_89 - shift_right_2);
-      cost_difference_2_90 <= magnitude(shift_left_2_90 - shift_right_2);
-      cost_difference_2_91 <= magnitude(shift_left_2_91 - shift_right_2);
-      cost_difference_2_92 <= magnitude(shift_left_2_92 - shift_right_2);
-      cost_difference_2_93 <= magnitude(shift_left_2_93 - shift_right_2);
-      cost_difference_2_94 <= magnitude(shift_left_2_94 - shift_right_2);
-      cost_difference_2_95 <= magnitude(shift_left_2_95 - shift_right_2);
-      cost_difference_2_96 <= magnitude(shift_left_2_96 - shift_right_2);
-      cost_difference_2_97 <= magnitude(shift_left_2_97 - shift_right_2);
-      cost_difference_2_98 <= magnitude(shift_left_2_98 - shift_right_2);
-      cost_difference_2_99 <= magnitude(shift_left_2_99 - shift_right_2);
-      cost_tag_before_valid <= shift_tag_valid;
-      cost_tag_before_cost_column <= shift_tag_cost_column;
-      cost_tag_before_output_column <= shift_tag_output_column;
-      cost_tag_before_start_of_frame <= shift_tag_start_of_frame;
-      cost_tag_before_end_of_line <= shift_tag_end_of_line;
-      cost_column_0 <= cost_difference_2_0 + cost_difference_0_0 + cost_difference_1_0 when cost_tag_before_cost_column
-        else 0;
-      cost_column_1 <= cost_difference_2_1 + cost_difference_0_1 + cost_difference_1_1 when cost_tag_before_cost_column
-        else 0;
-      cost_column_2 <= cost_difference_2_2 + cost_difference_0_2 + cost_difference_1_2 when cost_tag_before_cost_column
-        else 0;
-      cost_column_3 <= cost_difference_2_3 + cost_difference_0_3 + cost_difference_1_3 when cost_tag_before_cost_column
-        else 0;
-      cost_column_4 <= cost_difference_2_4 + cost_difference_0_4 + cost_difference_1_4 when cost_tag_before_cost_column
-        else 0;
-      cost_column_5 <= cost_difference_2_5 + cost_difference_0_5 + cost_difference_1_5 when cost_tag_before_cost_column
-        else 0;
-      cost_column_6 <= cost_difference_2_6 + cost_difference_0_6 + cost_difference_1_6 when cost_tag_before_cost_column
-        else 0;
-      cost_column_7 <= cost_difference_2_7 + cost_difference_0_7 + cost_difference_1_7 when cost_tag_before_cost_column
-        else 0;
-      cost_column_8 <= cost_difference_2_8 + cost_difference_0_8 + cost_difference_1_8 when cost_tag_before_cost_column
-        else 0;
-      cost_column_9 <= cost_difference_2_9 + cost_difference_0_9 + cost_difference_1_9 when cost_tag_before_cost_column
-        else 0;
-      cost_column_10 <= cost_difference_2_10 + cost_difference_0_10 + cost_difference_1_10 when
-        cost_tag_before_cost_column else 0;
-      cost_column_11 <= cost_difference_2_11 + cost_difference_0_11 + cost_difference_1_11 when
-        cost_tag_before_cost_column else 0;
-      cost_column_12 <= cost_difference_2_12 + cost_difference_0_12 + cost_difference_1_12 when
-        cost_tag_before_cost_column else 0;
-      cost_column_13 <= cost_difference_2_13 + cost_difference_0_13 + cost_difference_1_13 when
-        cost_tag_before_cost_column else 0;
-      cost_column_14 <= cost_difference_2_14 + cost_difference_0_14 + cost_difference_1_14 when
-        cost_tag_before_cost_column else 0;
-      cost_column_15 <= cost_difference_2_15 + cost_difference_0_15 + cost_difference_1_15 when
-        cost_tag_before_cost_column else 0;
-      cost_column_16 <= cost_difference_2_16 + cost_difference_0_16 + cost_difference_1_16 when
-        cost_tag_before_cost_column else 0;
-      cost_column_17 <= cost_difference_2_17 + cost_difference_0_17 + cost_difference_1_17 when
-        cost_tag_before_cost_column else 0;
-      cost_column_18 <= cost_difference_2_18 + cost_difference_0_18 + cost_difference_1_18 when
-        cost_tag_before_cost_column else 0;
-      cost_column_19 <= cost_difference_2_19 + cost_difference_0_19 + cost_difference_1_19 when
-        cost_tag_before_cost_column else 0;
-      cost_column_20 <= cost_difference_2_20 + cost_difference_0_20 + cost_difference_1_20 when
-        cost_tag_before_cost_column else 0;
-      cost_column_21 <= cost_difference_2_21 + cost_difference_0_21 + cost_difference_1_21 when
-        cost_tag_before_cost_column else 0;
-      cost_column_22 <= cost_difference_2_22 + cost_difference_0_22 + cost_difference_1_22 when
-        cost_tag_before_cost_column else 0;
-      cost_column_23 <= cost_difference_2_23 + cost_difference_0_23 + cost_difference_1_23 when
-        cost_tag_before_cost_column else 0;
-      cost_column_24 <= cost_difference_2_24 + cost_difference_0_24 + cost_difference_1_24 when
-        cost_tag_before_cost_column else 0;
-      cost_column_25 <= cost_difference_2_25 + cost_difference_0_25 + cost_difference_1_25 when
-        cost_tag_before_cost_column else 0;
-      cost_column_26 <= cost_difference_2_26 + cost_difference_0_26 + cost_difference_1_26 when
-        cost_tag_before_cost_column else 0;
-      cost_column_27 <= cost_difference_2_27 + cost_difference_0_27 + cost_difference_1_27 when
-        cost_tag_before_cost_column else 0;
-      cost_column_28 <= cost_difference_2_28 + cost_difference_0_28 + cost_difference_1_28 when
-        cost_tag_before_cost_column else 0;
-      cost_column_29 <= cost_difference_2_29 + cost_difference_0_29 + cost_difference_1_29 when
-        cost_tag_before_cost_column else 0;
-      cost_column_30 <= cost_difference_2_30 + cost_difference_0_30 + cost_difference_1_30 when
-        cost_tag_before_cost_column else 0;
-      cost_column_31 <= cost_difference_2_31 + cost_difference_0_31 + cost_difference_1_31 when
-        cost_tag_before_cost_column else 0;
-      cost_column_32 <= cost_difference_2_32 + cost_difference_0_32 + cost_difference_1_32 when
-        cost_tag_before_cost_column else 0;
-      cost_column_33 <= cost_difference_2_33 + cost_difference_0_33 + cost_difference_1_33 when
-        cost_tag_before_cost_column else 0;
-      cost_column_34 <= cost_difference_2_34 + cost_difference_0_34 + cost_difference_1_34 when
-        cost_tag_before_cost_column else 0;
-      cost_column_35 <= cost_difference_2_35 + cost_difference_0_35 + cost_difference_1_35 when
-        cost_tag_before_cost_column else 0;
-      cost_column_36 <= cost_difference_2_36 + cost_difference_0_36 + cost_difference_1_36 when
-        cost_tag_before_cost_column else 0;
-      cost_column_37 <= cost_difference_2_37 + cost_difference_0_37 + cost_difference_1_37 when
-        cost_tag_before_cost_column else 0;
-      cost_column_38 <= cost_difference_2_38 + cost_difference_0_38 + cost_difference_1_38 when
-        cost_tag_before_cost_column else 0;
-      cost_column_39 <= cost_difference_2_39 + cost_difference_0_39 + cost_difference_1_39 when
-        cost_tag_before_cost_column else 0;
-      cost_column_40 <= cost_difference_2_40 + cost_difference_0_40 + cost_difference_1_40 when
-        cost_tag_before_cost_column else 0;
-      cost_column_41 <= cost_difference_2_41 + cost_difference_0_41 + cost_difference_1_41 when
-        cost_tag_before_cost_column else 0;
-      cost_column_42 <= cost_difference_2_42 + cost_difference_0_42 + cost_difference_1_42 when
-        cost_tag_before_cost_column else 0;
-      cost_column_43 <= cost_difference_2_43 + cost_difference_0_43 + cost_difference_1_43 when
-        cost_tag_before_cost_column else 0;
-      cost_column_44 <= cost_difference_2_44 + cost_difference_0_44 + cost_difference_1_44 when
-        cost_tag_before_cost_column else 0;
-      cost_column_45 <= cost_difference_2_45 + cost_difference_0_45 + cost_difference_1_45 when
-        cost_tag_before_cost_column else 0;
-      cost_column_46 <= cost_difference_2_46 + cost_difference_0_46 + cost_difference_1_46 when
-        cost_tag_before_cost_column else 0;
-      cost_column_47 <= cost_difference_2_47 + cost_difference_0_47 + cost_difference_1_47 when
-        cost_tag_before_cost_column else 0;
-      cost_column_48 <= cost_difference_2_48 + cost_difference_0_48 + cost_difference_1_48 when
-        cost_tag_before_cost_column else 0;
-      cost_column_49 <= cost_difference_2_49 + cost_difference_0_49 + cost_difference_1_49 when
-        cost_tag_before_cost_column else 0;
-      cost_column_50 <= cost_difference_2_50 + cost_difference_0_50 + cost_difference_1_50 when
-        cost_tag_before_cost_column else 0;
-      cost_column_51 <= cost_difference_2_51 + cost_difference_0_51 + cost_difference_1_51 when
-        cost_tag_before_cost_column else 0;
-      cost_column_52 <= cost_difference_2_52 + cost_difference_0_52 + cost_difference_1_52 when
-        cost_tag_before_cost_column else 0;
-      cost_column_53 <= cost_difference_2_53 + cost_difference_0_53 + cost_difference_1_53 when
-        cost_tag_before_cost_column else 0;
-      cost_column_54 <= cost_difference_2_54 + cost_difference_0_54 + cost_difference_1_54 when
-        cost_tag_before_cost_column else 0;
-      cost_column_55 <= cost_difference_2_55 + cost_difference_0_55 + cost_difference_1_55 when
-        cost_tag_before_cost_column else 0;
-      cost_column_56 <= cost_difference_2_56 + cost_difference_0_56 + cost_difference_1_56 when
-        cost_tag_before_cost_column else 0;
-      cost_column_57 <= cost_difference_2_57 + cost_difference_0_57 + cost_difference_1_57 when
-        cost_tag_before_cost_column else 0;
-      cost_column_58 <= cost_difference_2_58 + cost_difference_0_58 + cost_difference_1_58 when
-        cost_tag_before_cost_column else 0;
-      cost_column_59 <= cost_difference_2_59 + cost_difference_0_59 + cost_difference_1_59 when
-        cost_tag_before_cost_column else 0;
-      cost_column_60 <= cost_difference_2_60 + cost_difference_0_60 + cost_difference_1_60 when
-        cost_tag_before_cost_column else 0;
-      cost_column_61 <= cost_difference_2_61 + cost_difference_0_61 + cost_difference_1_61 when
-        cost_tag_before_cost_column else 0;
-      cost_column_62 <= cost_difference_2_62 + cost_difference_0_62 + cost_difference_1_62 when
-        cost_tag_before_cost_column else 0;
-      cost_column_63 <= cost_difference_2_63 + cost_difference_0_63 + cost_difference_1_63 when
-        cost_tag_before_cost_column else 0;
-      cost_column_64 <= cost_difference_2_64 + cost_difference_0_64 + cost_difference_1_64 when
-        cost_tag_before_cost_column else 0;
-      cost_column_65 <= cost_difference_2_65 + cost_difference_0_65 + cost_difference_1_65 when
-        cost_tag_before_cost_column else 0;
-      cost_column_66 <= cost_difference_2_66 + cost_difference_0_66 + cost_difference_1_66 when
-        cost_tag_before_cost_column else 0;
-      cost_column_67 <= cost_difference_2_67 + cost_difference_0_67 + cost_difference_1_67 when
-        cost_tag_before_cost_column else 0;
-      cost_column_68 <= cost_difference_2_68 + cost_difference_0_68 + cost_difference_1_68 when
-        cost_tag_before_cost_column else 0;
-      cost_column_69 <= cost_difference_2_69 + cost_difference_0_69 + cost_difference_1_69 when
-        cost_tag_before_cost_column else 0;
-      cost_column_70 <= cost_difference_2_70 + cost_difference_0_70 + cost_difference_1_70 when
-        cost_tag_before_cost_column else 0;
-      cost_column_71 <= cost_difference_2_71 + cost_difference_0_71 + cost_difference_1_71 when
-        cost_tag_before_cost_column else 0;
-      cost_column_72 <= cost_difference_2_72 + cost_difference_0_72 + cost_difference_1_72 when
-        cost_tag_before_cost_column else 0;
-      cost_column_73 <= cost_difference_2_73 + cost_difference_0_73 + cost_difference_1_73 when
-        cost_tag_before_cost_column else 0;
-      cost_column_74 <= cost_difference_2_74 + cost_difference_0_74 + cost_difference_1_74 when
-        cost_tag_before_cost_column else 0;
-      cost_column_75 <= cost_difference_2_75 + cost_difference_0_75 + cost_difference_1_75 when
-        cost_tag_before_cost_column else 0;
-      cost_column_76 <= cost_difference_2_76 + cost_difference_0_76 + cost_difference_1_76 when
-        cost_tag_before_cost_column else 0;
-      cost_column_77 <= cost_difference_2_77 + cost_difference_0_77 + cost_difference_1_77 when
-        cost_tag_before_cost_column else 0;
-      cost_column_78 <= cost_difference_2_78 + cost_difference_0_78 + cost_difference_1_78 when
-        cost_tag_before_cost_column else 0;
-      cost_column_79 <= cost_difference_2_79 + cost_difference_0_79 + cost_difference_1_79 when
-        cost_tag_before_cost_column else 0;
-      cost_column_80 <= cost_difference_2_80 + cost_difference_0_80 + cost_difference_1_80 when
-        cost_tag_before_cost_column else 0;
-      cost_column_81 <= cost_difference_2_81 + cost_difference_0_81 + cost_difference_1_81 when
-        cost_tag_before_cost_column else 0;
-      cost_column_82 <= cost_difference_2_82 + cost_difference_0_82 + cost_difference_1_82 when
-        cost_tag_before_cost_column else 0;
-      cost_column_83 <= cost_difference_2_83 + cost_difference_0_83 + cost_difference_1_83 when
-        cost_tag_before_cost_column else 0;
-      cost_column_84 <= cost_difference_2_84 + cost_difference_0_84 + cost_difference_1_84 when
-        cost_tag_before_cost_column else 0;
-      cost_column_85 <= cost_difference_2_85 + cost_difference_0_85 + cost_difference_1_85 when
-        cost_tag_before_cost_column else 0;
-      cost_column_86 <= cost_difference_2_86 + cost_difference_0_86 + cost_difference_1_86 when
-        cost_tag_before_cost_column else 0;
-      cost_column_87 <= cost_difference_2_87 + cost_difference_0_87 + cost_difference_1_87 when
-        cost_tag_before_cost_column else 0;
-      cost_column_88 <= cost_difference_2_88 + cost_difference_0_88 + cost_difference_1_88 when
-        cost_tag_before_cost_column else 0;
-      cost_column_89 <= cost_difference_2_89 + cost_difference_0_89 + cost_difference_1_89 when
-        cost_tag_before_cost_column else 0;
-      cost_column_90 <= cost_difference_2_90 + cost_difference_0_90 + cost_difference_1_90 when
-        cost_tag_before_cost_column else 0;
-      cost_column_91 <= cost_difference_2_91 + cost_difference_0_91 + cost_difference_1_91 when
-        cost_tag_before_cost_column else 0;
-      cost_column_92 <= cost_difference_2_92 + cost_difference_0_92 + cost_difference_1_92 when
-        cost_tag_before_cost_column else 0;
-      cost_column_93 <= cost_difference_2_93 + cost_difference_0_93 + cost_difference_1_93 when
-        cost_tag_before_cost_column else 0;
-      cost_column_94 <= cost_difference_2_94 + cost_difference_0_94 + cost_difference_1_94 when
-        cost_tag_before_cost_column else 0;
-      cost_column_95 <= cost_difference_2_95 + cost_difference_0_95 + cost_difference_1_95 when
-        cost_tag_before_cost_column else 0;
-      cost_column_96 <= cost_difference_2_96 + cost_difference_0_96 + cost_difference_1_96 when
-        cost_tag_before_cost_column else 0;
-      cost_column_97 <= cost_difference_2_97 + cost_difference_0_97 + cost_difference_1_97 when
-        cost_tag_before_cost_column else 0;
-      cost_column_98 <= cost_difference_2_98 + cost_difference_0_98 + cost_difference_1_98 when
-        cost_tag_before_cost_column else 0;
-      cost_column_99 <= cost_difference_2_99 + cost_difference_0_99 + cost_difference_1_99 when
-        cost_tag_before_cost_column else 0;
-      cost_tag_valid <= cost_tag_before_valid;
-      cost_tag_output_column <= cost_tag_before_output_column;
-      cost_tag_start_of_frame <= cost_tag_before_start_of_frame;
-      cost_tag_end_of_line <= cost_tag_before_end_of_line;
-      -- window
-      if cost_tag_valid then
-        window_history_0_0 <= cost_column_0;
-        window_history_0_1 <= cost_column_1;
-        window_history_0_2 <= cost_column_2;
-        window_history_0_3 <= cost_column_3;
-        window_history_0_4 <= cost_column_4;
-        window_history_0_5 <= cost_column_5;
-        window_history_0_6 <= cost_column_6;
-        window_history_0_7 <= cost_column_7;
-        window_history_0_8 <= cost_column_8;
-        window_history_0_9 <= cost_column_9;
-        window_history_0_10 <= cost_column_10;
-        window_history_0_11 <= cost_column_11;
-        window_history_0_12 <= cost_column_12;
-        window_history_0_13 <= cost_column_13;
-        window_history_0_14 <= cost_column_14;
-        window_history_0_15 <= cost_column_15;
-        window_history_0_16 <= cost_column_16;
-        window_history_0_17 <= cost_column_17;
-        window_history_0_18 <= cost_column_18;
-        window_history_0_19 <= cost_column_19;
-        window_history_0_20 <= cost_column_20;
-        window_history_0_21 <= cost_column_21;
-        window_history_0_22 <= cost_column_22;
-        window_history_0_23 <= cost_column_23;
-        window_history_0_24 <= cost_column_24;
-        window_history_0_25 <= cost_column_25;
-        window_history_0_26 <= cost_column_26;
-        window_history_0_27 <= cost_column_27;
-        window_history_0_28 <= cost_column_28;
-        window_history_0_29 <= cost_column_29;
-        window_history_0_30 <= cost_column_30;
-        window_history_0_31 <= cost_column_31;
-        window_history_0_32 <= cost_column_32;
-        window_history_0_33 <= cost_column_33;
-        window_history_0_34 <= cost_column_34;
-        window_history_0_35 <= cost_column_35;
-        window_history_0_36 <= cost_column_36;
-        window_history_0_37 <= cost_column_37;
-        window_history_0_38 <= cost_column_38;
-        window_history_0_39 <= cost_column_39;
-        window_history_0_40 <= cost_column_40;
-        window_history_0_41 <= cost_column_41;
-        window_history_0_42 <= cost_column_42;
-        window_history_0_43 <= cost_column_43;
-        window_history_0_44 <= cost_column_44;
-        window_history_0_45 <= cost_column_45;
-        window_history_0_46 <= cost_column_46;
-        window_history_0_47 <= cost_column_47;
-        window_history_0_48 <= cost_column_48;
-        window_history_0_49 <= cost_column_49;
-        window_history_0_50 <= cost_column_50;
-        window_history_0_51 <= cost_column_51;
-        window_history_0_52 <= cost_column_52;
-        window_history_0_53 <= cost_column_53;
-        window_history_0_54 <= cost_column_54;
-        window_history_0_55 <= cost_column_55;
-        window_history_0_56 <= cost_column_56;
-        window_history_0_57 <= cost_column_57;
-        window_history_0_58 <= cost_column_58;
-        window_history_0_59 <= cost_column_59;
-        window_history_0_60 <= cost_column_60;
-        window_history_0_61 <= cost_column_61;
-        window_history_0_62 <= cost_column_62;
-        window_history_0_63 <= cost_column_63;
-        window_history_0_64 <= cost_column_64;
-        window_history_0_65 <= cost_column_65;
-        window_history_0_66 <= cost_column_66;
-        window_history_0_67 <= cost_column_67;
-        window_history_0_68 <= cost_column_68;
-        window_history_0_69 <= cost_column_69;
-        window_history_0_70 <= cost_column_70;
-        window_history_0_71 <= cost_column_71;
-        window_history_0_72 <= cost_column_72;
-        window_history_0_73 <= cost_column_73;
-        window_history_0_74 <= cost_column_74;
-        window_history_0_75 <= cost_column_75;
-        window_history_0_76 <= cost_column_76;
-        window_history_0_77 <= cost_column_77;
-        window_history_0_78 <= cost_column_78;
-        window_history_0_79 <= cost_column_79;
-        window_history_0_80 <= cost_column_80;
-        window_history_0_81 <= cost_column_81;
-        window_history_0_82 <= cost_column_82;
-        window_history_0_83 <= cost_column_83;
-        window_history_0_84 <= cost_column_84;
-        window_history_0_85 <= cost_column_85;
-        window_history_0_86 <= cost_column_86;
-        window_history_0_87 <= cost_column_87;
-        window_history_0_88 <= cost_column_88;
-        window_history_0_89 <= cost_column_89;
-        window_history_0_90 <= cost_column_90;
-        window_history_0_91 <= cost_column_91;
-        window_history_0_92 <= cost_column_92;
-        window_history_0_93 <= cost_column_93;
-        window_history_0_94 <= cost_column_94;
-        window_history_0_95 <= cost_column_95;
-        window_history_0_96 <= cost_column_96;
-        window_history_0_97 <= cost_column_97;
-        window_history_0_98 <= cost_column_98;
-        window_history_0_99 <= cost_column_99;
-        window_history_1_0 <= window_history_0_0;
-        window_history_1_1 <= window_history_0_1;
-        window_history_1_2 <= window_history_0_2;
-        window_history_1_3 <= window_history_0_3;
-        window_history_1_4 <= window_history_0_4;
-        window_history_1_5 <= window_history_0_5;
-        window_history_1_6 <= window_history_0_6;
-        window_history_1_7 <= window_history_0_7;
-        window_history_1_8 <= window_history_0_8;
-        window_history_1_9 <= window_history_0_9;
-        window_history_1_10 <= window_history_0_10;
-        window_history_1_11 <= window_history_0_11;
-        window_history_1_12 <= window_history_0_12;
-        window_history_1_13 <= window_history_0_13;
-        window_history_1_14 <= window_history_0_14;
-        window_history_1_15 <= window_history_0_15;
-        window_history_1_16 <= window_history_0_16;
-        window_history_1_17 <= window_history_0_17;
-        window_history_1_18 <= window_history_0_18;
-        window_history_1_19 <= window_history_0_19;
-        window_history_1_20 <= window_history_0_20;
-        window_history_1_21 <= window_history_0_21;
-        window_history_1_22 <= window_history_0_22;
-        window_history_1_23 <= window_history_0_23;
-        window_history_1_24 <= window_history_0_24;
-        window_history_1_25 <= window_history_0_25;
-        window_history_1_26 <= window_history_0_26;
-        window_history_1_27 <= window_history_0_27;
-        window_history_1_28 <= window_history_0_28;
-        window_history_1_29 <= window_history_0_29;
-        window_history_1_30 <= window_history_0_30;
-        window_history_1_31 <= window_history_0_31;
-        window_history_1_32 <= window_history_0_32;
-        window_history_1_33 <= window_history_0_33;
-        window_history_1_34 <= window_history_0_34;
-        window_history_1_35 <= window_history_0_35;
-        window_history_1_36 <= window_history_0_36;
-        window_history_1_37 <= window_history_0_37;
-        window_history_1_38 <= window_history_0_38;
-        window_history_1_39 <= window_history_0_39;
-        window_history_1_40 <= window_history_0_40;
-        window_history_1_41 <= window_history_0_41;
-        window_history_1_42 <= window_history_0_42;
-        window_history_1_43 <= window_history_0_43;
-        window_history_1_44 <= window_history_0_44;
-        window_history_1_45 <= window_history_0_45;
-        window_history_1_46 <= window_history_0_46;
-        window_history_1_47 <= window_history_0_47;
-        window_history_1_48 <= window_history_0_48;
-        window_history_1_49 <= window_history_0_49;
-        window_history_1_50 <= window_history_0_50;
-        window_history_1_51 <= window_history_0_51;
-        window_history_1_52 <= window_history_0_52;
-        window_history_1_53 <= window_history_0_53;
-        window_history_1_54 <= window_history_0_54;
-        window_history_1_55 <= window_history_0_55;
-        window_history_1_56 <= window_history_0_56;
-        window_history_1_57 <= window_history_0_57;
-        window_history_1_58 <= window_history_0_58;
-        window_history_1_59 <= window_history_0_59;
-        window_history_1_60 <= window_history_0_60;
-        window_history_1_61 <= window_history_0_61;
-        window_history_1_62 <= window_history_0_62;
-        window_history_1_63 <= window_history_0_63;
-        window_history_1_64 <= window_history_0_64;
-        window_history_1_65 <= window_history_0_65;
-        window_history_1_66 <= window_history_0_66;
-        window_history_1_67 <= window_history_0_67;
-        window_history_1_68 <= window_history_0_68;
-        window_history_1_69 <= window_history_0_69;
-        window_history_1_70 <= window_history_0_70;
-        window_history_1_71 <= window_history_0_71;
-        window_history_1_72 <= window_history_0_72;
-        window_history_1_73 <= window_history_0_73;
-        window_history_1_74 <= window_history_0_74;
-        window_history_1_75 <= window_history_0_75;
-        window_history_1_76 <= window_history_0_76;
-        window_history_1_77 <= window_history_0_77;
-        window_history_1_78 <= window_history_0_78;
-        window_history_1_79 <= window_history_0_79;
-        window_history_1_80 <= window_history_0_80;
-        window_history_1_81 <= window_history_0_81;
-        window_history_1_82 <= window_history_0_82;
-        window_history_1_83 <= window_history_0_83;
-        window_history_1_84 <= window_history_0_84;
-        window_history_1_85 <= window_history_0_85;
-        window_history_1_86 <= window_history_0_86;
-        window_history_1_87 <= window_history_0_87;
-        window_history_1_88 <= window_history_0_88;
-        window_history_1_89 <= window_history_0_89;
-        window_history_1_90 <= window_history_0_90;
-        window_history_1_91 <= window_history_0_91;
-        window_history_1_92 <= window_history_0_92;
-        window_history_1_93 <= window_history_0_93;
-        window_history_1_94 <= window_history_0_94;
-        window_history_1_95 <= window_history_0_95;
-        window_history_1_96 <= window_history_0_96;
-        window_history_1_97 <= window_history_0_97;
-        window_history_1_98 <= window_history_0_98;
-        window_history_1_99 <= window_history_0_99;
-        window_centre_0_output_column <= cost_tag_output_column;
-        window_centre_0_start_of_frame <= cost_tag_start_of_frame;
-        window_centre_0_end_of_line <= cost_tag_end_of_line;
+      slice0shift_right_0 <= rows_right_0;
+      slice0shift_right_1 <= rows_right_1;
+      slice0shift_right_2 <= rows_right_2;
+      slice0shift_left_out_0 <= slice0shift_left_0_0;
+      slice0shift_left_out_1 <= slice0shift_left_1_0;
+      slice0shift_left_out_2 <= slice0shift_left_2_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
+        positive_part(slice0cost_difference_2_0);
+      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
+        positive_part(slice0cost_difference_2_1);
+      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
+        positive_part(slice0cost_difference_2_2);
+      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
+        positive_part(slice0cost_difference_2_3);
+      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
+        positive_part(slice0cost_difference_2_4);
+      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
+        positive_part(slice0cost_difference_2_5);
+      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
+        positive_part(slice0cost_difference_2_6);
+      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
+        positive_part(slice0cost_difference_2_7);
+      slice0cost_pair_0_8_choice := slice0cost_reverse_0_8 when slice0cost_difference_2_8 < 0 else
+        positive_part(slice0cost_difference_2_8);
+      slice0cost_pair_0_9_choice := slice0cost_reverse_0_9 when slice0cost_difference_2_9 < 0 else
+        positive_part(slice0cost_difference_2_9);
+      slice0cost_pair_0_10_choice := slice0cost_reverse_0_10 when slice0cost_difference_2_10 < 0 else
+        positive_part(slice0cost_difference_2_10);
+      slice0cost_pair_0_11_choice := slice0cost_reverse_0_11 when slice0cost_difference_2_11 < 0 else
+        positive_part(slice0cost_difference_2_11);
+      slice0cost_pair_0_12_choice := slice0cost_reverse_0_12 when slice0cost_difference_2_12 < 0 else
+        positive_part(slice0cost_difference_2_12);
+      slice0cost_pair_0_13_choice := slice0cost_reverse_0_13 when slice0cost_difference_2_13 < 0 else
+        positive_part(slice0cost_difference_2_13);
+      slice0cost_pair_0_14_choice := slice0cost_reverse_0_14 when slice0cost_difference_2_14 < 0 else
+        positive_part(slice0cost_difference_2_14);
+      slice0cost_pair_0_15_choice := slice0cost_reverse_0_15 when slice0cost_difference_2_15 < 0 else
+        positive_part(slice0cost_difference_2_15);
+      slice0cost_pair_0_16_choice := slice0cost_reverse_0_16 when slice0cost_difference_2_16 < 0 else
+        positive_part(slice0cost_difference_2_16);
+      slice0cost_pair_0_17_choice := slice0cost_reverse_0_17 when slice0cost_difference_2_17 < 0 else
+        positive_part(slice0cost_difference_2_17);
+      slice0cost_pair_0_18_choice := slice0cost_reverse_0_18 when slice0cost_difference_2_18 < 0 else
+        positive_part(slice0cost_difference_2_18);
+      slice0cost_pair_0_19_choice := slice0cost_reverse_0_19 when slice0cost_difference_2_19 < 0 else
+        positive_part(slice0cost_difference_2_19);
+      slice0cost_pair_0_20_choice := slice0cost_reverse_0_20 when slice0cost_difference_2_20 < 0 else
+        positive_part(slice0cost_difference_2_20);
+      slice0cost_pair_0_21_choice := slice0cost_reverse_0_21 when slice0cost_difference_2_21 < 0 else
+        positive_part(slice0cost_difference_2_21);
+      slice0cost_pair_0_22_choice := slice0cost_reverse_0_22 when slice0cost_difference_2_22 < 0 else
+        positive_part(slice0cost_difference_2_22);
+      slice0cost_pair_0_23_choice := slice0cost_reverse_0_23 when slice0cost_difference_2_23 < 0 else
+        positive_part(slice0cost_difference_2_23);
+      slice0cost_pair_0_24_choice := slice0cost_reverse_0_24 when slice0cost_difference_2_24 < 0 else
+        positive_part(slice0cost_difference_2_24);
+      slice0cost_difference_0_0 <= slice0shift_left_0_0 - slice0shift_right_0;
+      slice0cost_difference_0_1 <= slice0shift_left_0_1 - slice0shift_right_0;
+      slice0cost_difference_0_2 <= slice0shift_left_0_2 - slice0shift_right_0;
+      slice0cost_difference_0_3 <= slice0shift_left_0_3 - slice0shift_right_0;
+      slice0cost_difference_0_4 <= slice0shift_left_0_4 - slice0shift_right_0;
+      slice0cost_difference_0_5 <= slice0shift_left_0_5 - slice0shift_right_0;
+      slice0cost_difference_0_6 <= slice0shift_left_0_6 - slice0shift_right_0;
+      slice0cost_difference_0_7 <= slice0shift_left_0_7 - slice0shift_right_0;
+      slice0cost_difference_0_8 <= slice0shift_left_0_8 - slice0shift_right_0;
+      slice0cost_difference_0_9 <= slice0shift_left_0_9 - slice0shift_right_0;
+      slice0cost_difference_0_10 <= slice0shift_left_0_10 - slice0shift_right_0;
+      slice0cost_difference_0_11 <= slice0shift_left_0_11 - slice0shift_right_0;
+      slice0cost_difference_0_12 <= slice0shift_left_0_12 - slice0shift_right_0;
+      slice0cost_difference_0_13 <= slice0shift_left_0_13 - slice0shift_right_0;
+      slice0cost_difference_0_14 <= slice0shift_left_0_14 - slice0shift_right_0;
+      slice0cost_difference_0_15 <= slice0shift_left_0_15 - slice0shift_right_0;
+      slice0cost_difference_0_16 <= slice0shift_left_0_16 - slice0shift_right_0;
+      slice0cost_difference_0_17 <= slice0shift_left_0_17 - slice0shift_right_0;
+      slice0cost_difference_0_18 <= slice0shift_left_0_18 - slice0shift_right_0;
+      slice0cost_difference_0_19 <= slice0shift_left_0_19 - slice0shift_right_0;
+      slice0cost_difference_0_20 <= slice0shift_left_0_20 - slice0shift_right_0;
+      slice0cost_difference_0_21 <= slice0shift_left_0_21 - slice0shift_right_0;
+      slice0cost_difference_0_22 <= slice0shift_left_0_22 - slice0shift_right_0;
+      slice0cost_difference_0_23 <= slice0shift_left_0_23 - slice0shift_right_0;
+      slice0cost_difference_0_24 <= slice0shift_left_0_24 - slice0shift_right_0;
+      slice0cost_difference_1_0 <= slice0shift_left_1_0 - slice0shift_right_1;
+      slice0cost_difference_1_1 <= slice0shift_left_1_1 - slice0shift_right_1;
+      slice0cost_difference_1_2 <= slice0shift_left_1_2 - slice0shift_right_1;
+      slice0cost_difference_1_3 <= slice0shift_left_1_3 - slice0shift_right_1;
+      slice0cost_difference_1_4 <= slice0shift_left_1_4 - slice0shift_right_1;
+      slice0cost_difference_1_5 <= slice0shift_left_1_5 - slice0shift_right_1;
+      slice0cost_difference_1_6 <= slice0shift_left_1_6 - slice0shift_right_1;
+      slice0cost_difference_1_7 <= slice0shift_left_1_7 - slice0shift_right_1;
+      slice0cost_difference_1_8 <= slice0shift_left_1_8 - slice0shift_right_1;
+      slice0cost_difference_1_9 <= slice0shift_left_1_9 - slice0shift_right_1;
+      slice0cost_difference_1_10 <= slice0shift_left_1_10 - slice0shift_right_1;
+      slice0cost_difference_1_11 <= slice0shift_left_1_11 - slice0shift_right_1;
+      slice0cost_difference_1_12 <= slice0shift_left_1_12 - slice0shift_right_1;
+      slice0cost_difference_1_13 <= slice0shift_left_1_13 - slice0shift_right_1;
+      slice0cost_difference_1_14 <= slice0shift_left_1_14 - slice0shift_right_1;
+      slice0cost_difference_1_15 <= slice0shift_left_1_15 - slice0shift_right_1;
+      slice0cost_difference_1_16 <= slice0shift_left_1_16 - slice0shift_right_1;
+      slice0cost_difference_1_17 <= slice0shift_left_1_17 - slice0shift_right_1;
+      slice0cost_difference_1_18 <= slice0shift_left_1_18 - slice0shift_right_1;
+      slice0cost_difference_1_19 <= slice0shift_left_1_19 - slice0shift_right_1;
+      slice0cost_difference_1_20 <= slice0shift_left_1_20 - slice0shift_right_1;
+      slice0cost_difference_1_21 <= slice0shift_left_1_21 - slice0shift_right_1;
+      slice0cost_difference_1_22 <= slice0shift_left_1_22 - slice0shift_right_1;
+      slice0cost_difference_1_23 <= slice0shift_left_1_23 - slice0shift_right_1;
+      slice0cost_difference_1_24 <= slice0shift_left_1_24 - slice0shift_right_1;
+      slice0cost_difference_2_0 <= slice0shift_left_2_0 - slice0shift_right_2;
+      slice0cost_difference_2_1 <= slice0shift_left_2_1 - slice0shift_right_2;
+      slice0cost_difference_2_2 <= slice0shift_left_2_2 - slice0shift_right_2;
+      slice0cost_difference_2_3 <= slice0shift_left_2_3 - slice0shift_right_2;
+      slice0cost_difference_2_4 <= slice0shift_left_2_4 - slice0shift_right_2;
+      slice0cost_difference_2_5 <= slice0shift_left_2_5 - slice0shift_right_2;
+      slice0cost_difference_2_6 <= slice0shift_left_2_6 - slice0shift_right_2;
+      slice0cost_difference_2_7 <= slice0shift_left_2_7 - slice0shift_right_2;
+      slice0cost_difference_2_8 <= slice0shift_left_2_8 - slice0shift_right_2;
+      slice0cost_difference_2_9 <= slice0shift_left_2_9 - slice0shift_right_2;
+      slice0cost_difference_2_10 <= slice0shift_left_2_10 - slice0shift_right_2;
+      slice0cost_difference_2_11 <= slice0shift_left_2_11 - slice0shift_right_2;
+      slice0cost_difference_2_12 <= slice0shift_left_2_12 - slice0shift_right_2;
+      slice0cost_difference_2_13 <= slice0shift_left_2_13 - slice0shift_right_2;
+      slice0cost_difference_2_14 <= slice0shift_left_2_14 - slice0shift_right_2;
+      slice0cost_difference_2_15 <= slice0shift_left_2_15 - slice0shift_right_2;
+      slice0cost_difference_2_16 <= slice0shift_left_2_16 - slice0shift_right_2;
+      slice0cost_difference_2_17 <= slice0shift_left_2_17 - slice0shift_right_2;
+      slice0cost_difference_2_18 <= slice0shift_left_2_18 - slice0shift_right_2;
+      slice0cost_difference_2_19 <= slice0shift_left_2_19 - slice0shift_right_2;
+      slice0cost_difference_2_20 <= slice0shift_left_2_20 - slice0shift_right_2;
+      slice0cost_difference_2_21 <= slice0shift_left_2_21 - slice0shift_right_2;
+      slice0cost_difference_2_22 <= slice0shift_left_2_22 - slice0shift_right_2;
+      slice0cost_difference_2_23 <= slice0shift_left_2_23 - slice0shift_right_2;
+      slice0cost_difference_2_24 <= slice0shift_left_2_24 - slice0shift_right_2;
+      slice0cost_reverse_0_0 <= (slice0shift_right_2 - slice0shift_left_2_0) mod 256;
+      slice0cost_reverse_0_1 <= (slice0shift_right_2 - slice0shift_left_2_1) mod 256;
+      slice0cost_reverse_0_2 <= (slice0shift_right_2 - slice0shift_left_2_2) mod 256;
+      slice0cost_reverse_0_3 <= (slice0shift_right_2 - slice0shift_left_2_3) mod 256;
+      slice0cost_reverse_0_4 <= (slice0shift_right_2 - slice0shift_left_2_4) mod 256;
+      slice0cost_reverse_0_5 <= (slice0shift_right_2 - slice0shift_left_2_5) mod 256;
+      slice0cost_reverse_0_6 <= (slice0shift_right_2 - slice0shift_left_2_6) mod 256;
+      slice0cost_reverse_0_7 <= (slice0shift_right_2 - slice0shift_left_2_7) mod 256;
+      slice0cost_reverse_0_8 <= (slice0shift_right_2 - slice0shift_left_2_8) mod 256;
+      slice0cost_reverse_0_9 <= (slice0shift_right_2 - slice0shift_left_2_9) mod 256;
+      slice0cost_reverse_0_10 <= (slice0shift_right_2 - slice0shift_left_2_10) mod 256;
+      slice0cost_reverse_0_11 <= (slice0shift_right_2 - slice0shift_left_2_11) mod 256;
+      slice0cost_reverse_0_12 <= (slice0shift_right_2 - slice0shift_left_2_12) mod 256;
+      slice0cost_reverse_0_13 <= (slice0shift_right_2 - slice0shift_left_2_13) mod 256;
+      slice0cost_reverse_0_14 <= (slice0shift_right_2 - slice0shift_left_2_14) mod 256;
+      slice0cost_reverse_0_15 <= (slice0shift_right_2 - slice0shift_left_2_15) mod 256;
+      slice0cost_reverse_0_16 <= (slice0shift_right_2 - slice0shift_left_2_16) mod 256;
+      slice0cost_reverse_0_17 <= (slice0shift_right_2 - slice0shift_left_2_17) mod 256;
+      slice0cost_reverse_0_18 <= (slice0shift_right_2 - slice0shift_left_2_18) mod 256;
+      slice0cost_reverse_0_19 <= (slice0shift_right_2 - slice0shift_left_2_19) mod 256;
+      slice0cost_reverse_0_20 <= (slice0shift_right_2 - slice0shift_left_2_20) mod 256;
+      slice0cost_reverse_0_21 <= (slice0shift_right_2 - slice0shift_left_2_21) mod 256;
+      slice0cost_reverse_0_22 <= (slice0shift_right_2 - slice0shift_left_2_22) mod 256;
+      slice0cost_reverse_0_23 <= (slice0shift_right_2 - slice0shift_left_2_23) mod 256;
+      slice0cost_reverse_0_24 <= (slice0shift_right_2 - slice0shift_left_2_24) mod 256;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+        as_number((slice0cost_difference_1_3 < 0));
+      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+        as_number((slice0cost_difference_1_4 < 0));
+      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+        as_number((slice0cost_difference_1_5 < 0));
+      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+        as_number((slice0cost_difference_1_6 < 0));
+      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+        as_number((slice0cost_difference_1_7 < 0));
+      slice0cost_pair_0_8 <= slice0cost_pair_0_8_choice + folded(slice0cost_difference_1_8) +
+        as_number((slice0cost_difference_1_8 < 0));
+      slice0cost_pair_0_9 <= slice0cost_pair_0_9_choice + folded(slice0cost_difference_1_9) +
+        as_number((slice0cost_difference_1_9 < 0));
+      slice0cost_pair_0_10 <= slice0cost_pair_0_10_choice + folded(slice0cost_difference_1_10) +
+        as_number((slice0cost_difference_1_10 < 0));
+      slice0cost_pair_0_11 <= slice0cost_pair_0_11_choice + folded(slice0cost_difference_1_11) +
+        as_number((slice0cost_difference_1_11 < 0));
+      slice0cost_pair_0_12 <= slice0cost_pair_0_12_choice + folded(slice0cost_difference_1_12) +
+        as_number((slice0cost_difference_1_12 < 0));
+      slice0cost_pair_0_13 <= slice0cost_pair_0_13_choice + folded(slice0cost_difference_1_13) +
+        as_number((slice0cost_difference_1_13 < 0));
+      slice0cost_pair_0_14 <= slice0cost_pair_0_14_choice + folded(slice0cost_difference_1_14) +
+        as_number((slice0cost_difference_1_14 < 0));
+      slice0cost_pair_0_15 <= slice0cost_pair_0_15_choice + folded(slice0cost_difference_1_15) +
+        as_number((slice0cost_difference_1_15 < 0));
+      slice0cost_pair_0_16 <= slice0cost_pair_0_16_choice + folded(slice0cost_difference_1_16) +
+        as_number((slice0cost_difference_1_16 < 0));
+      slice0cost_pair_0_17 <= slice0cost_pair_0_17_choice + folded(slice0cost_difference_1_17) +
+        as_number((slice0cost_difference_1_17 < 0));
+      slice0cost_pair_0_18 <= slice0cost_pair_0_18_choice + folded(slice0cost_difference_1_18) +
+        as_number((slice0cost_difference_1_18 < 0));
+      slice0cost_pair_0_19 <= slice0cost_pair_0_19_choice + folded(slice0cost_difference_1_19) +
+        as_number((slice0cost_difference_1_19 < 0));
+      slice0cost_pair_0_20 <= slice0cost_pair_0_20_choice + folded(slice0cost_difference_1_20) +
+        as_number((slice0cost_difference_1_20 < 0));
+      slice0cost_pair_0_21 <= slice0cost_pair_0_21_choice + folded(slice0cost_difference_1_21) +
+        as_number((slice0cost_difference_1_21 < 0));
+      slice0cost_pair_0_22 <= slice0cost_pair_0_22_choice + folded(slice0cost_difference_1_22) +
+        as_number((slice0cost_difference_1_22 < 0));
+      slice0cost_pair_0_23 <= slice0cost_pair_0_23_choice + folded(slice0cost_difference_1_23) +
+        as_number((slice0cost_difference_1_23 < 0));
+      slice0cost_pair_0_24 <= slice0cost_pair_0_24_choice + folded(slice0cost_difference_1_24) +
+        as_number((slice0cost_difference_1_24 < 0));
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
+      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
+      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
+      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
+      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
+      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
+      slice0cost_single_0_8 <= folded(slice0cost_difference_0_8);
+      slice0cost_single_0_9 <= folded(slice0cost_difference_0_9);
+      slice0cost_single_0_10 <= folded(slice0cost_difference_0_10);
+      slice0cost_single_0_11 <= folded(slice0cost_difference_0_11);
+      slice0cost_single_0_12 <= folded(slice0cost_difference_0_12);
+      slice0cost_single_0_13 <= folded(slice0cost_difference_0_13);
+      slice0cost_single_0_14 <= folded(slice0cost_difference_0_14);
+      slice0cost_single_0_15 <= folded(slice0cost_difference_0_15);
+      slice0cost_single_0_16 <= folded(slice0cost_difference_0_16);
+      slice0cost_single_0_17 <= folded(slice0cost_difference_0_17);
+      slice0cost_single_0_18 <= folded(slice0cost_difference_0_18);
+      slice0cost_single_0_19 <= folded(slice0cost_difference_0_19);
+      slice0cost_single_0_20 <= folded(slice0cost_difference_0_20);
+      slice0cost_single_0_21 <= folded(slice0cost_difference_0_21);
+      slice0cost_single_0_22 <= folded(slice0cost_difference_0_22);
+      slice0cost_single_0_23 <= folded(slice0cost_difference_0_23);
+      slice0cost_single_0_24 <= folded(slice0cost_difference_0_24);
+      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
+      slice0cost_negative_0_8 <= slice0cost_difference_0_8 < 0;
+      slice0cost_negative_0_9 <= slice0cost_difference_0_9 < 0;
+      slice0cost_negative_0_10 <= slice0cost_difference_0_10 < 0;
+      slice0cost_negative_0_11 <= slice0cost_difference_0_11 < 0;
+      slice0cost_negative_0_12 <= slice0cost_difference_0_12 < 0;
+      slice0cost_negative_0_13 <= slice0cost_difference_0_13 < 0;
+      slice0cost_negative_0_14 <= slice0cost_difference_0_14 < 0;
+      slice0cost_negative_0_15 <= slice0cost_difference_0_15 < 0;
+      slice0cost_negative_0_16 <= slice0cost_difference_0_16 < 0;
+      slice0cost_negative_0_17 <= slice0cost_difference_0_17 < 0;
+      slice0cost_negative_0_18 <= slice0cost_difference_0_18 < 0;
+      slice0cost_negative_0_19 <= slice0cost_difference_0_19 < 0;
+      slice0cost_negative_0_20 <= slice0cost_difference_0_20 < 0;
+      slice0cost_negative_0_21 <= slice0cost_difference_0_21 < 0;
+      slice0cost_negative_0_22 <= slice0cost_difference_0_22 < 0;
+      slice0cost_negative_0_23 <= slice0cost_difference_0_23 < 0;
+      slice0cost_negative_0_24 <= slice0cost_difference_0_24 < 0;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
+        slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
+        slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
+        slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
+        slice0cost_pair_0_3 + slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
+        slice0cost_pair_0_4 + slice0cost_single_0_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
+        slice0cost_pair_0_5 + slice0cost_single_0_5;
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
+        slice0cost_pair_0_6 + slice0cost_single_0_6;
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
+        slice0cost_pair_0_7 + slice0cost_single_0_7;
+      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_8) +
+        slice0cost_pair_0_8 + slice0cost_single_0_8;
+      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_9) +
+        slice0cost_pair_0_9 + slice0cost_single_0_9;
+      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_10) +
+        slice0cost_pair_0_10 + slice0cost_single_0_10;
+      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_11) +
+        slice0cost_pair_0_11 + slice0cost_single_0_11;
+      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_12) +
+        slice0cost_pair_0_12 + slice0cost_single_0_12;
+      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_13) +
+        slice0cost_pair_0_13 + slice0cost_single_0_13;
+      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_14) +
+        slice0cost_pair_0_14 + slice0cost_single_0_14;
+      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_15) +
+        slice0cost_pair_0_15 + slice0cost_single_0_15;
+      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_16) +
+        slice0cost_pair_0_16 + slice0cost_single_0_16;
+      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_17) +
+        slice0cost_pair_0_17 + slice0cost_single_0_17;
+      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_18) +
+        slice0cost_pair_0_18 + slice0cost_single_0_18;
+      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_19) +
+        slice0cost_pair_0_19 + slice0cost_single_0_19;
+      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_20) +
+        slice0cost_pair_0_20 + slice0cost_single_0_20;
+      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_21) +
+        slice0cost_pair_0_21 + slice0cost_single_0_21;
+      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_22) +
+        slice0cost_pair_0_22 + slice0cost_single_0_22;
+      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_23) +
+        slice0cost_pair_0_23 + slice0cost_single_0_23;
+      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_24) +
+        slice0cost_pair_0_24 + slice0cost_single_0_24;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
+        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
+        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
+        slice0window_partial_0_0_8 <= slice0cost_column_0_8;
+        slice0window_partial_0_0_9 <= slice0cost_column_0_9;
+        slice0window_partial_0_0_10 <= slice0cost_column_0_10;
+        slice0window_partial_0_0_11 <= slice0cost_column_0_11;
+        slice0window_partial_0_0_12 <= slice0cost_column_0_12;
+        slice0window_partial_0_0_13 <= slice0cost_column_0_13;
+        slice0window_partial_0_0_14 <= slice0cost_column_0_14;
+        slice0window_partial_0_0_15 <= slice0cost_column_0_15;
+        slice0window_partial_0_0_16 <= slice0cost_column_0_16;
+        slice0window_partial_0_0_17 <= slice0cost_column_0_17;
+        slice0window_partial_0_0_18 <= slice0cost_column_0_18;
+        slice0window_partial_0_0_19 <= slice0cost_column_0_19;
+        slice0window_partial_0_0_20 <= slice0cost_column_0_20;
+        slice0window_partial_0_0_21 <= slice0cost_column_0_21;
+        slice0window_partial_0_0_22 <= slice0cost_column_0_22;
+        slice0window_partial_0_0_23 <= slice0cost_column_0_23;
+        slice0window_partial_0_0_24 <= slice0cost_column_0_24;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
+        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        slice0window_partial_0_1_5 <= slice0cost_column_0_5 + slice0window_partial_0_0_5;
+        slice0window_partial_0_1_6 <= slice0cost_column_0_6 + slice0window_partial_0_0_6;
+        slice0window_partial_0_1_7 <= slice0cost_column_0_7 + slice0window_partial_0_0_7;
+        slice0window_partial_0_1_8 <= slice0cost_column_0_8 + slice0window_partial_0_0_8;
+        slice0window_partial_0_1_9 <= slice0cost_column_0_9 + slice0window_partial_0_0_9;
+        slice0window_partial_0_1_10 <= slice0cost_column_0_10 + slice0window_partial_0_0_10;
+        slice0window_partial_0_1_11 <= slice0cost_column_0_11 + slice0window_partial_0_0_11;
+        slice0window_partial_0_1_12 <= slice0cost_column_0_12 + slice0window_partial_0_0_12;
+        slice0window_partial_0_1_13 <= slice0cost_column_0_13 + slice0window_partial_0_0_13;
+        slice0window_partial_0_1_14 <= slice0cost_column_0_14 + slice0window_partial_0_0_14;
+        slice0window_partial_0_1_15 <= slice0cost_column_0_15 + slice0window_partial_0_0_15;
+        slice0window_partial_0_1_16 <= slice0cost_column_0_16 + slice0window_partial_0_0_16;
+        slice0window_partial_0_1_17 <= slice0cost_column_0_17 + slice0window_partial_0_0_17;
+        slice0window_partial_0_1_18 <= slice0cost_column_0_18 + slice0window_partial_0_0_18;
+        slice0window_partial_0_1_19 <= slice0cost_column_0_19 + slice0window_partial_0_0_19;
+        slice0window_partial_0_1_20 <= slice0cost_column_0_20 + slice0window_partial_0_0_20;
+        slice0window_partial_0_1_21 <= slice0cost_column_0_21 + slice0window_partial_0_0_21;
+        slice0window_partial_0_1_22 <= slice0cost_column_0_22 + slice0window_partial_0_0_22;
+        slice0window_partial_0_1_23 <= slice0cost_column_0_23 + slice0window_partial_0_0_23;
+        slice0window_partial_0_1_24 <= slice0cost_column_0_24 + slice0window_partial_0_0_24;
       end if;
-      window_sum_0 <= window_history_1_0 + cost_column_0 + window_history_0_0;
-      window_sum_1 <= window_history_1_1 + cost_column_1 + window_history_0_1;
-      window_sum_2 <= window_history_1_2 + cost_column_2 + window_history_0_2;
-      window_sum_3 <= window_history_1_3 + cost_column_3 + window_history_0_3;
-      window_sum_4 <= window_history_1_4 + cost_column_4 + window_history_0_4;
-      window_sum_5 <= window_history_1_5 + cost_column_5 + window_history_0_5;
-      window_sum_6 <= window_history_1_6 + cost_column_6 + window_history_0_6;
-      window_sum_7 <= window_history_1_7 + cost_column_7 + window_history_0_7;
-      window_sum_8 <= window_history_1_8 + cost_column_8 + window_history_0_8;
-      window_sum_9 <= window_history_1_9 + cost_column_9 + window_history_0_9;
-      window_sum_10 <= window_history_1_10 + cost_column_10 + window_history_0_10;
-      window_sum_11 <= window_history_1_11 + cost_column_11 + window_history_0_11;
-      window_sum_12 <= window_history_1_12 + cost_column_12 + window_history_0_12;
-      window_sum_13 <= window_history_1_13 + cost_column_13 + window_history_0_13;
-      window_sum_14 <= window_history_1_14 + cost_column_14 + window_history_0_14;
-      window_sum_15 <= window_history_1_15 + cost_column_15 + window_history_0_15;
-      window_sum_16 <= window_history_1_16 + cost_column_16 + window_history_0_16;
-      window_sum_17 <= window_history_1_17 + cost_column_17 + window_history_0_17;
-      window_sum_18 <= window_history_1_18 + cost_column_18 + window_history_0_18;
-      window_sum_19 <= window_history_1_19 + cost_column_19 + window_history_0_19;
-      window_sum_20 <= window_history_1_20 + cost_column_20 + window_history_0_20;
-      window_sum_21 <= window_history_1_21 + cost_column_21 + window_history_0_21;
-      window_sum_22 <= window_history_1_22 + cost_column_22 + window_history_0_22;
-      window_sum_23 <= window_history_1_23 + cost_column_23 + window_history_0_23;
-      window_sum_24 <= window_history_1_24 + cost_column_24 + window_history_0_24;
-      window_sum_25 <= window_history_1_25 + cost_column_25 + window_history_0_25;
-      window_sum_26 <= window_history_1_26 + cost_column_26 + window_history_0_26;
-      window_sum_27 <= window_history_1_27 + cost_column_27 + window_history_0_27;
-      window_sum_28 <= window_history_1_28 + cost_column_28 + window_history_0_28;
-      window_sum_29 <= window_history_1_29 + cost_column_29 + window_history_0_29;
-      window_sum_30 <= window_history_1_30 + cost_column_30 + window_history_0_30;
-      window_sum_31 <= window_history_1_31 + cost_column_31 + window_history_0_31;
-      window_sum_32 <= window_history_1_32 + cost_column_32 + window_history_0_32;
-      window_sum_33 <= window_history_1_33 + cost_column_33 + window_history_0_33;
-      window_sum_34 <= window_history_1_34 + cost_column_34 + window_history_0_34;
-      window_sum_35 <= window_history_1_35 + cost_column_35 + window_history_0_35;
-      window_sum_36 <= window_history_1_36 + cost_column_36 + window_history_0_36;
-      window_sum_37 <= window_history_1_37 + cost_column_37 + window_history_0_37;
-      window_sum_38 <= window_history_1_38 + cost_column_38 + window_history_0_38;
-      window_sum_39 <= window_history_1_39 + cost_column_39 + window_history_0_39;
-      window_sum_40 <= window_history_1_40 + cost_column_40 + window_history_0_40;
-      window_sum_41 <= window_history_1_41 + cost_column_41 + window_history_0_41;
-      window_sum_42 <= window_history_1_42 + cost_column_42 + window_history_0_42;
-      window_sum_43 <= window_history_1_43 + cost_column_43 + window_history_0_43;
-      window_sum_44 <= window_history_1_44 + cost_column_44 + window_history_0_44;
-      window_sum_45 <= window_history_1_45 + cost_column_45 + window_history_0_45;
-      window_sum_46 <= window_history_1_46 + cost_column_46 + window_history_0_46;
-      window_sum_47 <= window_history_1_47 + cost_column_47 + window_history_0_47;
-      window_sum_48 <= window_history_1_48 + cost_column_48 + window_history_0_48;
-      window_sum_49 <= window_history_1_49 + cost_column_49 + window_history_0_49;
-      window_sum_50 <= window_history_1_50 + cost_column_50 + window_history_0_50;
-      window_sum_51 <= window_history_1_51 + cost_column_51 + window_history_0_51;
-      window_sum_52 <= window_history_1_52 + cost_column_52 + window_history_0_52;
-      window_sum_53 <= window_history_1_53 + cost_column_53 + window_history_0_53;
-      window_sum_54 <= window_history_1_54 + cost_column_54 + window_history_0_54;
-      window_sum_55 <= window_history_1_55 + cost_column_55 + window_history_0_55;
-      window_sum_56 <= window_history_1_56 + cost_column_56 + window_history_0_56;
-      window_sum_57 <= window_history_1_57 + cost_column_57 + window_history_0_57;
-      window_sum_58 <= window_history_1_58 + cost_column_58 + window_history_0_58;
-      window_sum_59 <= window_history_1_59 + cost_column_59 + window_history_0_59;
-      window_sum_60 <= window_history_1_60 + cost_column_60 + window_history_0_60;
-      window_sum_61 <= window_history_1_61 + cost_column_61 + window_history_0_61;
-      window_sum_62 <= window_history_1_62 + cost_column_62 + window_history_0_62;
-      window_sum_63 <= window_history_1_63 + cost_column_63 + window_history_0_63;
-      window_sum_64 <= window_history_1_64 + cost_column_64 + window_history_0_64;
-      window_sum_65 <= window_history_1_65 + cost_column_65 + window_history_0_65;
-      window_sum_66 <= window_history_1_66 + cost_column_66 + window_history_0_66;
-      window_sum_67 <= window_history_1_67 + cost_column_67 + window_history_0_67;
-      window_sum_68 <= window_history_1_68 + cost_column_68 + window_history_0_68;
-      window_sum_69 <= window_history_1_69 + cost_column_69 + window_history_0_69;
-      window_sum_70 <= window_history_1_70 + cost_column_70 + window_history_0_70;
-      window_sum_71 <= window_history_1_71 + cost_column_71 + window_history_0_71;
-      window_sum_72 <= window_history_1_72 + cost_column_72 + window_history_0_72;
-      window_sum_73 <= window_history_1_73 + cost_column_73 + window_history_0_73;
-      window_sum_74 <= window_history_1_74 + cost_column_74 + window_history_0_74;
-      window_sum_75 <= window_history_1_75 + cost_column_75 + window_history_0_75;
-      window_sum_76 <= window_history_1_76 + cost_column_76 + window_history_0_76;
-      window_sum_77 <= window_history_1_77 + cost_column_77 + window_history_0_77;
-      window_sum_78 <= window_history_1_78 + cost_column_78 + window_history_0_78;
-      window_sum_79 <= window_history_1_79 + cost_column_79 + window_history_0_79;
-      window_sum_80 <= window_history_1_80 + cost_column_80 + window_history_0_80;
-      window_sum_81 <= window_history_1_81 + cost_column_81 + window_history_0_81;
-      window_sum_82 <= window_history_1_82 + cost_column_82 + window_history_0_82;
-      window_sum_83 <= window_history_1_83 + cost_column_83 + window_history_0_83;
-      window_sum_84 <= window_history_1_84 + cost_column_84 + window_history_0_84;
-      window_sum_85 <= window_history_1_85 + cost_column_85 + window_history_0_85;
-      window_sum_86 <= window_history_1_86 + cost_column_86 + window_history_0_86;
-      window_sum_87 <= window_history_1_87 + cost_column_87 + window_history_0_87;
-      window_sum_88 <= window_history_1_88 + cost_column_88 + window_history_0_88;
-      window_sum_89 <= window_history_1_89 + cost_column_89 + window_history_0_89;
-      window_sum_90 <= window_history_1_90 + cost_column_90 + window_history_0_90;
-      window_sum_91 <= window_history_1_91 + cost_column_91 + window_history_0_91;
-      window_sum_92 <= window_history_1_92 + cost_column_92 + window_history_0_92;
-      window_sum_93 <= window_history_1_93 + cost_column_93 + window_history_0_93;
-      window_sum_94 <= window_history_1_94 + cost_column_94 + window_history_0_94;
-      window_sum_95 <= window_history_1_95 + cost_column_95 + window_history_0_95;
-      window_sum_96 <= window_history_1_96 + cost_column_96 + window_history_0_96;
-      window_sum_97 <= window_history_1_97 + cost_column_97 + window_history_0_97;
-      window_sum_98 <= window_history_1_98 + cost_column_98 + window_history_0_98;
-      window_sum_99 <= window_history_1_99 + cost_column_99 + window_history_0_99;
-      window_tag_valid <= cost_tag_valid;
-      window_tag_output_column <= window_centre_0_output_column;
-      window_tag_start_of_frame <= window_centre_0_start_of_frame;
-      window_tag_end_of_line <= window_centre_0_end_of_line;
-      -- winner1
-      winner1_cost_0_is_less := window_sum_1 < window_sum_0;
-      winner1_cost_0_choice := window_sum_1 when winner1_cost_0_is_less else window_sum_0;
-      winner1_cost_0_is_less_2 := window_sum_2 < winner1_cost_0_choice;
-      winner1_cost_0_choice_2 := window_sum_2 when winner1_cost_0_is_less_2 else winner1_cost_0_choice;
-      winner1_cost_0_is_less_3 := window_sum_3 < winner1_cost_0_choice_2;
-      winner1_cost_1_is_less := window_sum_5 < window_sum_4;
-      winner1_cost_1_choice := window_sum_5 when winner1_cost_1_is_less else window_sum_4;
-      winner1_cost_1_is_less_2 := window_sum_6 < winner1_cost_1_choice;
-      winner1_cost_1_choice_2 := window_sum_6 when winner1_cost_1_is_less_2 else winner1_cost_1_choice;
-      winner1_cost_1_is_less_3 := window_sum_7 < winner1_cost_1_choice_2;
-      winner1_cost_2_is_less := window_sum_9 < window_sum_8;
-      winner1_cost_2_choice := window_sum_9 when winner1_cost_2_is_less else window_sum_8;
-      winner1_cost_2_is_less_2 := window_sum_10 < winner1_cost_2_choice;
-      winner1_cost_2_choice_2 := window_sum_10 when winner1_cost_2_is_less_2 else winner1_cost_2_choice;
-      winner1_cost_2_is_less_3 := window_sum_11 < winner1_cost_2_choice_2;
-      winner1_cost_3_is_less := window_sum_13 < window_sum_12;
-      winner1_cost_3_choice := window_sum_13 when winner1_cost_3_is_less else window_sum_12;
-      winner1_cost_3_is_less_2 := window_sum_14 < winner1_cost_3_choice;
-      winner1_cost_3_choice_2 := window_sum_14 when winner1_cost_3_is_less_2 else winner1_cost_3_choice;
-      winner1_cost_3_is_less_3 := window_sum_15 < winner1_cost_3_choice_2;
-      winner1_cost_4_is_less := window_sum_17 < window_sum_16;
-      winner1_cost_4_choice := window_sum_17 when winner1_cost_4_is_less else window_sum_16;
-      winner1_cost_4_is_less_2 := window_sum_18 < winner1_cost_4_choice;
-      winner1_cost_4_choice_2 := window_sum_18 when winner1_cost_4_is_less_2 else winner1_cost_4_choice;
-      winner1_cost_4_is_less_3 := window_sum_19 < winner1_cost_4_choice_2;
-      winner1_cost_5_is_less := window_sum_21 < window_sum_20;
-      winner1_cost_5_choice := window_sum_21 when winner1_cost_5_is_less else window_sum_20;
-      winner1_cost_5_is_less_2 := window_sum_22 < winner1_cost_5_choice;
-      winner1_cost_5_choice_2 := window_sum_22 when winner1_cost_5_is_less_2 else winner1_cost_5_choice;
-      winner1_cost_5_is_less_3 := window_sum_23 < winner1_cost_5_choice_2;
-      winner1_cost_6_is_less := window_sum_25 < window_sum_24;
-      winner1_cost_6_choice := window_sum_25 when winner1_cost_6_is_less else window_sum_24;
-      winner1_cost_6_is_less_2 := window_sum_26 < winner1_cost_6_choice;
-      winner1_cost_6_choice_2 := window_sum_26 when winner1_cost_6_is_less_2 else winner1_cost_6_choice;
-      winner1_cost_6_is_less_3 := window_sum_27 < winner1_cost_6_choice_2;
-      winner1_cost_7_is_less := window_sum_29 < window_sum_28;
-      winner1_cost_7_choice := window_sum_29 when winner1_cost_7_is_less else window_sum_28;
-      winner1_cost_7_is_less_2 := window_sum_30 < winner1_cost_7_choice;
-      winner1_cost_7_choice_2 := window_sum_30 when winner1_cost_7_is_less_2 else winner1_cost_7_choice;
-      winner1_cost_7_is_less_3 := window_sum_31 < winner1_cost_7_choice_2;
-      winner1_cost_8_is_less := window_sum_33 < window_sum_32;
-      winner1_cost_8_choice := window_sum_33 when winner1_cost_8_is_less else window_sum_32;
-      winner1_cost_8_is_less_2 := window_sum_34 < winner1_cost_8_choice;
-      winner1_cost_8_choice_2 := window_sum_34 when winner1_cost_8_is_less_2 else winner1_cost_8_choice;
-      winner1_cost_8_is_less_3 := window_sum_35 < winner1_cost_8_choice_2;
-      winner1_cost_9_is_less := window_sum_37 < window_sum_36;
-      winner1_cost_9_choice := window_sum_37 when winner1_cost_9_is_less else window_sum_36;
-      winner1_cost_9_is_less_2 := window_sum_38 < winner1_cost_9_choice;
-      winner1_cost_9_choice_2 := window_sum_38 when winner1_cost_9_is_less_2 else winner1_cost_9_choice;
-      winner1_cost_9_is_less_3 := window_sum_39 < winner1_cost_9_choice_2;
-      winner1_cost_10_is_less := window_sum_41 < window_sum_40;
-      winner1_cost_10_choice := window_sum_41 when winner1_cost_10_is_less else window_sum_40;
-      winner1_cost_10_is_less_2 := window_sum_42 < winner1_cost_10_choice;
-      winner1_cost_10_choice_2 := window_sum_42 when winner1_cost_10_is_less_2 else winner1_cost_10_choice;
-      winner1_cost_10_is_less_3 := window_sum_43 < winner1_cost_10_choice_2;
-      winner1_cost_11_is_less := window_sum_45 < window_sum_44;
-      winner1_cost_11_choice := window_sum_45 when winner1_cost_11_is_less else window_sum_44;
-      winner1_cost_11_is_less_2 := window_sum_46 < winner1_cost_11_choice;
-      winner1_cost_11_choice_2 := window_sum_46 when winner1_cost_11_is_less_2 else winner1_cost_11_choice;
-      winner1_cost_11_is_less_3 := window_sum_47 < winner1_cost_11_choice_2;
-      winner1_cost_12_is_less := window_sum_49 < window_sum_48;
-      winner1_cost_12_choice := window_sum_49 when winner1_cost_12_is_less else window_sum_48;
-      winner1_cost_12_is_less_2 := window_sum_50 < winner1_cost_12_choice;
-      winner1_cost_12_choice_2 := window_sum_50 when winner1_cost_12_is_less_2 else winner1_cost_12_choice;
-      winner1_cost_12_is_less_3 := window_sum_51 < winner1_cost_12_choice_2;
-      winner1_cost_13_is_less := window_sum_53 < window_sum_52;
-      winner1_cost_13_choice := window_sum_53 when winner1_cost_13_is_less else window_sum_52;
-      winner1_cost_13_is_less_2 := window_sum_54 < winner1_cost_13_choice;
-      winner1_cost_13_choice_2 := window_sum_54 when winner1_cost_13_is_less_2 else winner1_cost_13_choice;
-      winner1_cost_13_is_less_3 := window_sum_55 < winner1_cost_13_choice_2;
-      winner1_cost_14_is_less := window_sum_57 < window_sum_56;
-      winner1_cost_14_choice := window_sum_57 when winner1_cost_14_is_less else window_sum_56;
-      winner1_cost_14_is_less_2 := window_sum_58 < winner1_cost_14_choice;
-      winner1_cost_14_choice_2 := window_sum_58 when winner1_cost_14_is_less_2 else winner1_cost_14_choice;
-      winner1_cost_14_is_less_3 := window_sum_59 < winner1_cost_14_choice_2;
-      winner1_cost_15_is_less := window_sum_61 < window_sum_60;
-      winner1_cost_15_choice := window_sum_61 when winner1_cost_15_is_less else window_sum_60;
-      winner1_cost_15_is_less_2 := window_sum_62 < winner1_cost_15_choice;
-      winner1_cost_15_choice_2 := window_sum_62 when winner1_cost_15_is_less_2 else winner1_cost_15_choice;
-      winner1_cost_15_is_less_3 := window_sum_63 < winner1_cost_15_choice_2;
-      winner1_cost_16_is_less := window_sum_65 < window_sum_64;
-      winner1_cost_16_choice := window_sum_65 when winner1_cost_16_is_less else window_sum_64;
-      winner1_cost_16_is_less_2 := window_sum_66 < winner1_cost_16_choice;
-      winner1_cost_16_choice_2 := window_sum_66 when winner1_cost_16_is_less_2 else winner1_cost_16_choice;
-      winner1_cost_16_is_less_3 := window_sum_67 < winner1_cost_16_choice_2;
-      winner1_cost_17_is_less := window_sum_69 < window_sum_68;
-      winner1_cost_17_choice := window_sum_69 when winner1_cost_17_is_less else window_sum_68;
-      winner1_cost_17_is_less_2 := window_sum_70 < winner1_cost_17_choice;
-      winner1_cost_17_choice_2 := window_sum_70 when winner1_cost_17_is_less_2 else winner1_cost_17_choice;
-      winner1_cost_17_is_less_3 := window_sum_71 < winner1_cost_17_choice_2;
-      winner1_cost_18_is_less := window_sum_73 < window_sum_72;
-      winner1_cost_18_choice := window_sum_73 when winner1_cost_18_is_less else window_sum_72;
-      winner1_cost_18_is_less_2 := window_sum_74 < winner1_cost_18_choice;
-      winner1_cost_18_choice_2 := window_sum_74 when winner1_cost_18_is_less_2 else winner1_cost_18_choice;
-      winner1_cost_18_is_less_3 := window_sum_75 < winner1_cost_18_choice_2;
-      winner1_cost_19_is_less := window_sum_77 < window_sum_76;
-      winner1_cost_19_choice := window_sum_77 when winner1_cost_19_is_less else window_sum_76;
-      winner1_cost_19_is_less_2 := window_sum_78 < winner1_cost_19_choice;
-      winner1_cost_19_choice_2 := window_sum_78 when winner1_cost_19_is_less_2 else winner1_cost_19_choice;
-      winner1_cost_19_is_less_3 := window_sum_79 < winner1_cost_19_choice_2;
-      winner1_cost_20_is_less := window_sum_81 < window_sum_80;
-      winner1_cost_20_choice := window_sum_81 when winner1_cost_20_is_less else window_sum_80;
-      winner1_cost_20_is_less_2 := window_sum_82 < winner1_cost_20_choice;
-      winner1_cost_20_choice_2 := window_sum_82 when winner1_cost_20_is_less_2 else winner1_cost_20_choice;
-      winner1_cost_20_is_less_3 := window_sum_83 < winner1_cost_20_choice_2;
-      winner1_cost_21_is_less := window_sum_85 < window_sum_84;
-      winner1_cost_21_choice := window_sum_85 when winner1_cost_21_is_less else window_sum_84;
-      winner1_cost_21_is_less_2 := window_sum_86 < winner1_cost_21_choice;
-      winner1_cost_21_choice_2 := window_sum_86 when winner1_cost_21_is_less_2 else winner1_cost_21_choice;
-      winner1_cost_21_is_less_3 := window_sum_87 < winner1_cost_21_choice_2;
-      winner1_cost_22_is_less := window_sum_89 < window_sum_88;
-      winner1_cost_22_choice := window_sum_89 when winner1_cost_22_is_less else window_sum_88;
-      winner1_cost_22_is_less_2 := window_sum_90 < winner1_cost_22_choice;
-      winner1_cost_22_choice_2 := window_sum_90 when winner1_cost_22_is_less_2 else winner1_cost_22_choice;
-      winner1_cost_22_is_less_3 := window_sum_91 < winner1_cost_22_choice_2;
-      winner1_cost_23_is_less := window_sum_93 < window_sum_92;
-      winner1_cost_23_choice := window_sum_93 when winner1_cost_23_is_less else window_sum_92;
-      winner1_cost_23_is_less_2 := window_sum_94 < winner1_cost_23_choice;
-      winner1_cost_23_choice_2 := window_sum_94 when winner1_cost_23_is_less_2 else winner1_cost_23_choice;
-      winner1_cost_23_is_less_3 := window_sum_95 < winner1_cost_23_choice_2;
-      winner1_cost_24_is_less := window_sum_97 < window_sum_96;
-      winner1_cost_24_choice := window_sum_97 when winner1_cost_24_is_less else window_sum_96;
-      winner1_cost_24_is_less_2 := window_sum_98 < winner1_cost_24_choice;
-      winner1_cost_24_choice_2 := window_sum_98 when winner1_cost_24_is_less_2 else winner1_cost_24_choice;
-      winner1_cost_24_is_less_3 := window_sum_99 < winner1_cost_24_choice_2;
-      winner1_index_0_choice := 2 when winner1_cost_0_is_less_2 else as_number(winner1_cost_0_is_less);
-      winner1_index_1_choice := 5 when winner1_cost_1_is_less else 4;
-      winner1_index_1_choice_2 := 6 when winner1_cost_1_is_less_2 else winner1_index_1_choice;
-      winner1_index_2_choice := 9 when winner1_cost_2_is_less else 8;
-      winner1_index_2_choice_2 := 10 when winner1_cost_2_is_less_2 else winner1_index_2_choice;
-      winner1_index_3_choice := 13 when winner1_cost_3_is_less else 12;
-      winner1_index_3_choice_2 := 14 when winner1_cost_3_is_less_2 else winner1_index_3_choice;
-      winner1_index_4_choice := 17 when winner1_cost_4_is_less else 16;
-      winner1_index_4_choice_2 := 18 when winner1_cost_4_is_less_2 else winner1_index_4_choice;
-      winner1_index_5_choice := 21 when winner1_cost_5_is_less else 20;
-      winner1_index_5_choice_2 := 22 when winner1_cost_5_is_less_2 else winner1_index_5_choice;
-      winner1_index_6_choice := 25 when winner1_cost_6_is_less else 24;
-      winner1_index_6_choice_2 := 26 when winner1_cost_6_is_less_2 else winner1_index_6_choice;
-      winner1_index_7_choice := 29 when winner1_cost_7_is_less else 28;
-      winner1_index_7_choice_2 := 30 when winner1_cost_7_is_less_2 else winner1_index_7_choice;
-      winner1_index_8_choice := 33 when winner1_cost_8_is_less else 32;
-      winner1_index_8_choice_2 := 34 when winner1_cost_8_is_less_2 else winner1_index_8_choice;
-      winner1_index_9_choice := 37 when winner1_cost_9_is_less else 36;
-      winner1_index_9_choice_2 := 38 when winner1_cost_9_is_less_2 else winner1_index_9_choice;
-      winner1_index_10_choice := 41 when winner1_cost_10_is_less else 40;
-      winner1_index_10_choice_2 := 42 when winner1_cost_10_is_less_2 else winner1_index_10_choice;
-      winner1_index_11_choice := 45 when winner1_cost_11_is_less else 44;
-      winner1_index_11_choice_2 := 46 when winner1_cost_11_is_less_2 else winner1_index_11_choice;
-      winner1_index_12_choice := 49 when winner1_cost_12_is_less else 48;
-      winner1_index_12_choice_2 := 50 when winner1_cost_12_is_less_2 else winner1_index_12_choice;
-      winner1_index_13_choice := 53 when winner1_cost_13_is_less else 52;
-      winner1_index_13_choice_2 := 54 when winner1_cost_13_is_less_2 else winner1_index_13_choice;
-      winner1_index_14_choice := 57 when winner1_cost_14_is_less else 56;
-      winner1_index_14_choice_2 := 58 when winner1_cost_14_is_less_2 else winner1_index_14_choice;
-      winner1_index_15_choice := 61 when winner1_cost_15_is_less else 60;
-      winner1_index_15_choice_2 := 62 when winner1_cost_15_is_less_2 else winner1_index_15_choice;
-      winner1_index_16_choice := 65 when winner1_cost_16_is_less else 64;
-      winner1_index_16_choice_2 := 66 when winner1_cost_16_is_less_2 else winner1_index_16_choice;
-      winner1_index_17_choice := 69 when winner1_cost_17_is_less else 68;
-      winner1_index_17_choice_2 := 70 when winner1_cost_17_is_less_2 else winner1_index_17_choice;
-      winner1_index_18_choice := 73 when winner1_cost_18_is_less else 72;
-      winner1_index_18_choice_2 := 74 when winner1_cost_18_is_less_2 else winner1_index_18_choice;
-      winner1_index_19_choice := 77 when winner1_cost_19_is_less else 76;
-      winner1_index_19_choice_2 := 78 when winner1_cost_19_is_less_2 else winner1_index_19_choice;
-      winner1_index_20_choice := 81 when winner1_cost_20_is_less else 80;
-      winner1_index_20_choice_2 := 82 when winner1_cost_20_is_less_2 else winner1_index_20_choice;
-      winner1_index_21_choice := 85 when winner1_cost_21_is_less else 84;
-      winner1_index_21_choice_2 := 86 when winner1_cost_21_is_less_2 else winner1_index_21_choice;
-      winner1_index_22_choice := 89 when winner1_cost_22_is_less else 88;
-      winner1_index_22_choice_2 := 90 when winner1_cost_22_is_less_2 else winner1_index_22_choice;
-      winner1_index_23_choice := 93 when winner1_cost_23_is_less else 92;
-      winner1_index_23_choice_2 := 94 when winner1_cost_23_is_less_2 else winner1_index_23_choice;
-      winner1_index_24_choice := 97 when winner1_cost_24_is_less else 96;
-      winner1_index_24_choice_2 := 98 when winner1_cost_24_is_less_2 else winner1_index_24_choice;
-      winner1_cost_0 <= window_sum_3 when winner1_cost_0_is_less_3 else winner1_cost_0_choice_2;
-      winner1_cost_1 <= window_sum_7 when winner1_cost_1_is_less_3 else winner1_cost_1_choice_2;
-      winner1_cost_2 <= window_sum_11 when winner1_cost_2_is_less_3 else winner1_cost_2_choice_2;
-      winner1_cost_3 <= window_sum_15 when winner1_cost_3_is_less_3 else winner1_cost_3_choice_2;
-      winner1_cost_4 <= window_sum_19 when winner1_cost_4_is_less_3 else winner1_cost_4_choice_2;
-      winner1_cost_5 <= window_sum_23 when winner1_cost_5_is_less_3 else winner1_cost_5_choice_2;
-      winner1_cost_6 <= window_sum_27 when winner1_cost_6_is_less_3 else winner1_cost_6_choice_2;
-      winner1_cost_7 <= window_sum_31 when winner1_cost_7_is_less_3 else winner1_cost_7_choice_2;
-      winner1_cost_8 <= window_sum_35 when winner1_cost_8_is_less_3 else winner1_cost_8_choice_2;
-      winner1_cost_9 <= window_sum_39 when winner1_cost_9_is_less_3 else winner1_cost_9_choice_2;
-      winner1_cost_10 <= window_sum_43 when winner1_cost_10_is_less_3 else winner1_cost_10_choice_2;
-      winner1_cost_11 <= window_sum_47 when winner1_cost_11_is_less_3 else winner1_cost_11_choice_2;
-      winner1_cost_12 <= window_sum_51 when winner1_cost_12_is_less_3 else winner1_cost_12_choice_2;
-      winner1_cost_13 <= window_sum_55 when winner1_cost_13_is_less_3 else winner1_cost_13_choice_2;
-      winner1_cost_14 <= window_sum_59 when winner1_cost_14_is_less_3 else winner1_cost_14_choice_2;
-      winner1_cost_15 <= window_sum_63 when winner1_cost_15_is_less_3 else winner1_cost_15_choice_2;
-      winner1_cost_16 <= window_sum_67 when winner1_cost_16_is_less_3 else winner1_cost_16_choice_2;
-      winner1_cost_17 <= window_sum_71 when winner1_cost_17_is_less_3 else winner1_cost_17_choice_2;
-      winner1_cost_18 <= window_sum_75 when winner1_cost_18_is_less_3 else winner1_cost_18_choice_2;
-      winner1_cost_19 <= window_sum_79 when winner1_cost_19_is_less_3 else winner1_cost_19_choice_2;
-      winner1_cost_20 <= window_sum_83 when winner1_cost_20_is_less_3 else winner1_cost_20_choice_2;
-      winner1_cost_21 <= window_sum_87 when winner1_cost_21_is_less_3 else winner1_cost_21_choice_2;
-      winner1_cost_22 <= window_sum_91 when winner1_cost_22_is_less_3 else winner1_cost_22_choice_2;
-      winner1_cost_23 <= window_sum_95 when winner1_cost_23_is_less_3 else winner1_cost_23_choice_2;
-      winner1_cost_24 <= window_sum_99 when winner1_cost_24_is_less_3 else winner1_cost_24_choice_2;
-      winner1_index_0 <= 3 when winner1_cost_0_is_less_3 else winner1_index_0_choice;
-      winner1_index_1 <= 7 when winner1_cost_1_is_less_3 else winner1_index_1_choice_2;
-      winner1_index_2 <= 11 when winner1_cost_2_is_less_3 else winner1_index_2_choice_2;
-      winner1_index_3 <= 15 when winner1_cost_3_is_less_3 else winner1_index_3_choice_2;
-      winner1_index_4 <= 19 when winner1_cost_4_is_less_3 else winner1_index_4_choice_2;
-      winner1_index_5 <= 23 when winner1_cost_5_is_less_3 else winner1_index_5_choice_2;
-      winner1_index_6 <= 27 when winner1_cost_6_is_less_3 else winner1_index_6_choice_2;
-      winner1_index_7 <= 31 when winner1_cost_7_is_less_3 else winner1_index_7_choice_2;
-      winner1_index_8 <= 35 when winner1_cost_8_is_less_3 else winner1_index_8_choice_2;
-      winner1_index_9 <= 39 when winner1_cost_9_is_less_3 else winner1_index_9_choice_2;
-      winner1_index_10 <= 43 when winner1_cost_10_is_less_3 else winner1_index_10_choice_2;
-      winner1_index_11 <= 47 when winner1_cost_11_is_less_3 else winner1_index_11_choice_2;
-      winner1_index_12 <= 51 when winner1_cost_12_is_less_3 else winner1_index_12_choice_2;
-      winner1_index_13 <= 55 when winner1_cost_13_is_less_3 else winner1_index_13_choice_2;
-      winner1_index_14 <= 59 when winner1_cost_14_is_less_3 else winner1_index_14_choice_2;
-      winner1_index_15 <= 63 when winner1_cost_15_is_less_3 else winner1_index_15_choice_2;
-      winner1_index_16 <= 67 when winner1_cost_16_is_less_3 else winner1_index_16_choice_2;
-      winner1_index_17 <= 71 when winner1_cost_17_is_less_3 else winner1_index_17_choice_2;
-      winner1_index_18 <= 75 when winner1_cost_18_is_less_3 else winner1_index_18_choice_2;
-      winner1_index_19 <= 79 when winner1_cost_19_is_less_3 else winner1_index_19_choice_2;
-      winner1_index_20 <= 83 when winner1_cost_20_is_less_3 else winner1_index_20_choice_2;
-      winner1_index_21 <= 87 when winner1_cost_21_is_less_3 else winner1_index_21_choice_2;
-      winner1_index_22 <= 91 when winner1_cost_22_is_less_3 else winner1_index_22_choice_2;
-      winner1_index_23 <= 95 when winner1_cost_23_is_less_3 else winner1_index_23_choice_2;
-      winner1_index_24 <= 99 when winner1_cost_24_is_less_3 else winner1_index_24_choice_2;
-      winner1_tag_valid <= window_tag_valid;
-      winner1_tag_output_column <= window_tag_output_column;
-      winner1_tag_start_of_frame <= window_tag_start_of_frame;
-      winner1_tag_end_of_line <= window_tag_end_of_line;
-      -- winner2
-      winner2_cost_0_is_less := winner1_cost_1 < winner1_cost_0;
-      winner2_cost_0_choice := winner1_cost_1 when winner2_cost_0_is_less else winner1_cost_0;
-      winner2_cost_0_is_less_2 := winner1_cost_2 < winner2_cost_0_choice;
-      winner2_cost_0_choice_2 := winner1_cost_2 when winner2_cost_0_is_less_2 else winner2_cost_0_choice;
-      winner2_cost_0_is_less_3 := winner1_cost_3 < winner2_cost_0_choice_2;
-      winner2_cost_1_is_less := winner1_cost_5 < winner1_cost_4;
-      winner2_cost_1_choice := winner1_cost_5 when winner2_cost_1_is_less else winner1_cost_4;
-      winner2_cost_1_is_less_2 := winner1_cost_6 < winner2_cost_1_choice;
-      winner2_cost_1_choice_2 := winner1_cost_6 when winner2_cost_1_is_less_2 else winner2_cost_1_choice;
-      winner2_cost_1_is_less_3 := winner1_cost_7 < winner2_cost_1_choice_2;
-      winner2_cost_2_is_less := winner1_cost_9 < winner1_cost_8;
-      winner2_cost_2_choice := winner1_cost_9 when winner2_cost_2_is_less else winner1_cost_8;
-      winner2_cost_2_is_less_2 := winner1_cost_10 < winner2_cost_2_choice;
-      winner2_cost_2_choice_2 := winner1_cost_10 when winner2_cost_2_is_less_2 else winner2_cost_2_choice;
-      winner2_cost_2_is_less_3 := winner1_cost_11 < winner2_cost_2_choice_2;
-      winner2_cost_3_is_less := winner1_cost_13 < winner1_cost_12;
-      winner2_cost_3_choice := winner1_cost_13 when winner2_cost_3_is_less else winner1_cost_12;
-      winner2_cost_3_is_less_2 := winner1_cost_14 < winner2_cost_3_choice;
-      winner2_cost_3_choice_2 := winner1_cost_14 when winner2_cost_3_is_less_2 else winner2_cost_3_choice;
-      winner2_cost_3_is_less_3 := winner1_cost_15 < winner2_cost_3_choice_2;
-      winner2_cost_4_is_less := winner1_cost_17 < winner1_cost_16;
-      winner2_cost_4_choice := winner1_cost_17 when winner2_cost_4_is_less else winner1_cost_16;
-      winner2_cost_4_is_less_2 := winner1_cost_18 < winner2_cost_4_choice;
-      winner2_cost_4_choice_2 := winner1_cost_18 when winner2_cost_4_is_less_2 else winner2_cost_4_choice;
-      winner2_cost_4_is_less_3 := winner1_cost_19 < winner2_cost_4_choice_2;
-      winner2_cost_5_is_less := winner1_cost_21 < winner1_cost_20;
-      winner2_cost_5_choice := winner1_cost_21 when winner2_cost_5_is_less else winner1_cost_20;
-      winner2_cost_5_is_less_2 := winner1_cost_22 < winner2_cost_5_choice;
-      winner2_cost_5_choice_2 := winner1_cost_22 when winner2_cost_5_is_less_2 else winner2_cost_5_choice;
-      winner2_cost_5_is_less_3 := winner1_cost_23 < winner2_cost_5_choice_2;
-      winner2_index_0_choice := winner1_index_1 when winner2_cost_0_is_less else winner1_index_0;
-      winner2_index_0_choice_2 := winner1_index_2 when winner2_cost_0_is_less_2 else winner2_index_0_choice;
-      winner2_index_1_choice := winner1_index_5 when winner2_cost_1_is_less else winner1_index_4;
-      winner2_index_1_choice_2 := winner1_index_6 when winner2_cost_1_is_less_2 else winner2_index_1_choice;
-      winner2_index_2_choice := winner1_index_9 when winner2_cost_2_is_less else winner1_index_8;
-      winner2_index_2_choice_2 := winner1_index_10 when winner2_cost_2_is_less_2 else winner2_index_2_choice;
-      winner2_index_3_choice := winner1_index_13 when winner2_cost_3_is_less else winner1_index_12;
-      winner2_index_3_choice_2 := winner1_index_14 when winner2_cost_3_is_less_2 else winner2_index_3_choice;
-      winner2_index_4_choice := winner1_index_17 when winner2_cost_4_is_less else winner1_index_16;
-      winner2_index_4_choice_2 := winner1_index_18 when winner2_cost_4_is_less_2 else winner2_index_4_choice;
-      winner2_index_5_choice := winner1_index_21 when winner2_cost_5_is_less else winner1_index_20;
-      winner2_index_5_choice_2 := winner1_index_22 when winner2_cost_5_is_less_2 else winner2_index_5_choice;
-      winner2_cost_0 <= winner1_cost_3 when winner2_cost_0_is_less_3 else winner2_cost_0_choice_2;
-      winner2_cost_1 <= winner1_cost_7 when winner2_cost_1_is_less_3 else winner2_cost_1_choice_2;
-      winner2_cost_2 <= winner1_cost_11 when winner2_cost_2_is_less_3 else winner2_cost_2_choice_2;
-      winner2_cost_3 <= winner1_cost_15 when winner2_cost_3_is_less_3 else winner2_cost_3_choice_2;
-      winner2_cost_4 <= winner1_cost_19 when winner2_cost_4_is_less_3 else winner2_cost_4_choice_2;
-      winner2_cost_5 <= winner1_cost_23 when winner2_cost_5_is_less_3 else winner2_cost_5_choice_2;
-      winner2_cost_6 <= winner1_cost_24;
-      winner2_index_0 <= winner1_index_3 when winner2_cost_0_is_less_3 else winner2_index_0_choice_2;
-      winner2_index_1 <= winner1_index_7 when winner2_cost_1_is_less_3 else winner2_index_1_choice_2;
-      winner2_index_2 <= winner1_index_11 when winner2_cost_2_is_less_3 else winner2_index_2_choice_2;
-      winner2_index_3 <= winner1_index_15 when winner2_cost_3_is_less_3 else winner2_index_3_choice_2;
-      winner2_index_4 <= winner1_index_19 when winner2_cost_4_is_less_3 else winner2_index_4_choice_2;
-      winner2_index_5 <= winner1_index_23 when winner2_cost_5_is_less_3 else winner2_index_5_choice_2;
-      winner2_index_6 <= winner1_index_24;
-      winner2_tag_valid <= winner1_tag_valid;
-      winner2_tag_output_column <= winner1_tag_output_column;
-      winner2_tag_start_of_frame <= winner1_tag_start_of_frame;
-      winner2_tag_end_of_line <= winner1_tag_end_of_line;
-      -- winner3
-      winner3_cost_0_is_less := winner2_cost_1 < winner2_cost_0;
-      winner3_cost_0_choice := winner2_cost_1 when winner3_cost_0_is_less else winner2_cost_0;
-      winner3_cost_0_is_less_2 := winner2_cost_2 < winner3_cost_0_choice;
-      winner3_cost_0_choice_2 := winner2_cost_2 when winner3_cost_0_is_less_2 else winner3_cost_0_choice;
-      winner3_cost_0_is_less_3 := winner2_cost_3 < winner3_cost_0_choice_2;
-      winner3_cost_1_is_less := winner2_cost_5 < winner2_cost_4;
-      winner3_cost_1_choice := winner2_cost_5 when winner3_cost_1_is_less else winner2_cost_4;
-      winner3_cost_1_is_less_2 := winner2_cost_6 < winner3_cost_1_choice;
-      winner3_index_0_choice := winner2_index_1 when winner3_cost_0_is_less else winner2_index_0;
-      winner3_index_0_choice_2 := winner2_index_2 when winner3_cost_0_is_less_2 else winner3_index_0_choice;
-      winner3_index_1_choice := winner2_index_5 when winner3_cost_1_is_less else winner2_index_4;
-      winner3_cost_0 <= winner2_cost_3 when winner3_cost_0_is_less_3 else winner3_cost_0_choice_2;
-      winner3_cost_1 <= winner2_cost_6 when winner3_cost_1_is_less_2 else winner3_cost_1_choice;
-      winner3_index_0 <= winner2_index_3 when winner3_cost_0_is_less_3 else winner3_index_0_choice_2;
-      winner3_index_1 <= winner2_index_6 when winner3_cost_1_is_less_2 else winner3_index_1_choice;
-      winner3_tag_valid <= winner2_tag_valid;
-      winner3_tag_output_column <= winner2_tag_output_column;
-      winner3_tag_start_of_frame <= winner2_tag_start_of_frame;
-      winner3_tag_end_of_line <= winner2_tag_end_of_line;
-      -- winner4
-      winner4_index_0 <= winner3_index_1 when winner3_cost_1 < winner3_cost_0 else winner3_index_0;
-      winner4_tag_valid <= winner3_tag_valid;
-      winner4_tag_output_column <= winner3_tag_output_column;
-      winner4_tag_start_of_frame <= winner3_tag_start_of_frame;
-      winner4_tag_end_of_line <= winner3_tag_end_of_line;
+      slice0window_centre_0_output_column <= slice0cost_tag_output_column;
+      slice0window_centre_0_start_of_frame <= slice0cost_tag_start_of_frame;
+      slice0window_centre_0_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
+      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      slice0window_sum_0_5 <= slice0cost_column_0_5 + slice0window_partial_0_1_5;
+      slice0window_sum_0_6 <= slice0cost_column_0_6 + slice0window_partial_0_1_6;
+      slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_1_7;
+      slice0window_sum_0_8 <= slice0cost_column_0_8 + slice0window_partial_0_1_8;
+      slice0window_sum_0_9 <= slice0cost_column_0_9 + slice0window_partial_0_1_9;
+      slice0window_sum_0_10 <= slice0cost_column_0_10 + slice0window_partial_0_1_10;
+      slice0window_sum_0_11 <= slice0cost_column_0_11 + slice0window_partial_0_1_11;
+      slice0window_sum_0_12 <= slice0cost_column_0_12 + slice0window_partial_0_1_12;
+      slice0window_sum_0_13 <= slice0cost_column_0_13 + slice0window_partial_0_1_13;
+      slice0window_sum_0_14 <= slice0cost_column_0_14 + slice0window_partial_0_1_14;
+      slice0window_sum_0_15 <= slice0cost_column_0_15 + slice0window_partial_0_1_15;
+      slice0window_sum_0_16 <= slice0cost_column_0_16 + slice0window_partial_0_1_16;
+      slice0window_sum_0_17 <= slice0cost_column_0_17 + slice0window_partial_0_1_17;
+      slice0window_sum_0_18 <= slice0cost_column_0_18 + slice0window_partial_0_1_18;
+      slice0window_sum_0_19 <= slice0cost_column_0_19 + slice0window_partial_0_1_19;
+      slice0window_sum_0_20 <= slice0cost_column_0_20 + slice0window_partial_0_1_20;
+      slice0window_sum_0_21 <= slice0cost_column_0_21 + slice0window_partial_0_1_21;
+      slice0window_sum_0_22 <= slice0cost_column_0_22 + slice0window_partial_0_1_22;
+      slice0window_sum_0_23 <= slice0cost_column_0_23 + slice0window_partial_0_1_23;
+      slice0window_sum_0_24 <= slice0cost_column_0_24 + slice0window_partial_0_1_24;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_0_output_column;
+      slice0window_tag_start_of_frame <= slice0window_centre_0_start_of_frame;
+      slice0window_tag_end_of_line <= slice0window_centre_0_end_of_line;
+      -- slice0winner1
+      slice0winner1_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
+      slice0winner1_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
+      slice0winner1_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
+      slice0winner1_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
+      slice0winner1_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
+      slice0winner1_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
+      slice0winner1_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
+      slice0winner1_cost_0_8_is_less := slice0window_sum_0_17 < slice0window_sum_0_16;
+      slice0winner1_cost_0_9_is_less := slice0window_sum_0_19 < slice0window_sum_0_18;
+      slice0winner1_cost_0_10_is_less := slice0window_sum_0_21 < slice0window_sum_0_20;
+      slice0winner1_cost_0_11_is_less := slice0window_sum_0_23 < slice0window_sum_0_22;
+      slice0winner1_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_cost_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_cost_0_1_is_less else slice0window_sum_0_2;
+      slice0winner1_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_cost_0_2_is_less else slice0window_sum_0_4;
+      slice0winner1_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_cost_0_3_is_less else slice0window_sum_0_6;
+      slice0winner1_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_cost_0_4_is_less else slice0window_sum_0_8;
+      slice0winner1_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_cost_0_5_is_less else slice0window_sum_0_10;
+      slice0winner1_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_cost_0_6_is_less else slice0window_sum_0_12;
+      slice0winner1_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_cost_0_7_is_less else slice0window_sum_0_14;
+      slice0winner1_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_cost_0_8_is_less else slice0window_sum_0_16;
+      slice0winner1_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_cost_0_9_is_less else slice0window_sum_0_18;
+      slice0winner1_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_cost_0_10_is_less else slice0window_sum_0_20;
+      slice0winner1_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_cost_0_11_is_less else slice0window_sum_0_22;
+      slice0winner1_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_index_0_0 <= slice0winner1_cost_0_0_is_less;
+      slice0winner1_index_0_1 <= 3 when slice0winner1_cost_0_1_is_less else 2;
+      slice0winner1_index_0_2 <= 5 when slice0winner1_cost_0_2_is_less else 4;
+      slice0winner1_index_0_3 <= 7 when slice0winner1_cost_0_3_is_less else 6;
+      slice0winner1_index_0_4 <= 9 when slice0winner1_cost_0_4_is_less else 8;
+      slice0winner1_index_0_5 <= 11 when slice0winner1_cost_0_5_is_less else 10;
+      slice0winner1_index_0_6 <= 13 when slice0winner1_cost_0_6_is_less else 12;
+      slice0winner1_index_0_7 <= 15 when slice0winner1_cost_0_7_is_less else 14;
+      slice0winner1_index_0_8 <= 17 when slice0winner1_cost_0_8_is_less else 16;
+      slice0winner1_index_0_9 <= 19 when slice0winner1_cost_0_9_is_less else 18;
+      slice0winner1_index_0_10 <= 21 when slice0winner1_cost_0_10_is_less else 20;
+      slice0winner1_index_0_11 <= 23 when slice0winner1_cost_0_11_is_less else 22;
+      slice0winner1_index_0_12 <= 24;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_cost_0_0_is_less := slice0winner1_cost_0_1 < slice0winner1_cost_0_0;
+      slice0winner2_cost_0_1_is_less := slice0winner1_cost_0_3 < slice0winner1_cost_0_2;
+      slice0winner2_cost_0_2_is_less := slice0winner1_cost_0_5 < slice0winner1_cost_0_4;
+      slice0winner2_cost_0_3_is_less := slice0winner1_cost_0_7 < slice0winner1_cost_0_6;
+      slice0winner2_cost_0_4_is_less := slice0winner1_cost_0_9 < slice0winner1_cost_0_8;
+      slice0winner2_cost_0_5_is_less := slice0winner1_cost_0_11 < slice0winner1_cost_0_10;
+      slice0winner2_cost_0_0 <= slice0winner1_cost_0_1 when slice0winner2_cost_0_0_is_less else slice0winner1_cost_0_0;
+      slice0winner2_cost_0_1 <= slice0winner1_cost_0_3 when slice0winner2_cost_0_1_is_less else slice0winner1_cost_0_2;
+      slice0winner2_cost_0_2 <= slice0winner1_cost_0_5 when slice0winner2_cost_0_2_is_less else slice0winner1_cost_0_4;
+      slice0winner2_cost_0_3 <= slice0winner1_cost_0_7 when slice0winner2_cost_0_3_is_less else slice0winner1_cost_0_6;
+      slice0winner2_cost_0_4 <= slice0winner1_cost_0_9 when slice0winner2_cost_0_4_is_less else slice0winner1_cost_0_8;
+      slice0winner2_cost_0_5 <= slice0winner1_cost_0_11 when slice0winner2_cost_0_5_is_less else
+        slice0winner1_cost_0_10;
+      slice0winner2_cost_0_6 <= slice0winner1_cost_0_12;
+      slice0winner2_index_0_0 <= slice0winner1_index_0_1 when slice0winner2_cost_0_0_is_less else
+        as_number(slice0winner1_index_0_0);
+      slice0winner2_index_0_1 <= slice0winner1_index_0_3 when slice0winner2_cost_0_1_is_less else
+        slice0winner1_index_0_2;
+      slice0winner2_index_0_2 <= slice0winner1_index_0_5 when slice0winner2_cost_0_2_is_less else
+        slice0winner1_index_0_4;
+      slice0winner2_index_0_3 <= slice0winner1_index_0_7 when slice0winner2_cost_0_3_is_less else
+        slice0winner1_index_0_6;
+      slice0winner2_index_0_4 <= slice0winner1_index_0_9 when slice0winner2_cost_0_4_is_less else
+        slice0winner1_index_0_8;
+      slice0winner2_index_0_5 <= slice0winner1_index_0_11 when slice0winner2_cost_0_5_is_less else
+        slice0winner1_index_0_10;
+      slice0winner2_index_0_6 <= slice0winner1_index_0_12;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+        slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      end if;
+      -- slice0winner3
+      slice0winner3_cost_0_0_is_less := slice0winner2_cost_0_1 < slice0winner2_cost_0_0;
+      slice0winner3_cost_0_1_is_less := slice0winner2_cost_0_3 < slice0winner2_cost_0_2;
+      slice0winner3_cost_0_2_is_less := slice0winner2_cost_0_5 < slice0winner2_cost_0_4;
+      slice0winner3_cost_0_0 <= slice0winner2_cost_0_1 when slice0winner3_cost_0_0_is_less else slice0winner2_cost_0_0;
+      slice0winner3_cost_0_1 <= slice0winner2_cost_0_3 when slice0winner3_cost_0_1_is_less else slice0winner2_cost_0_2;
+      slice0winner3_cost_0_2 <= slice0winner2_cost_0_5 when slice0winner3_cost_0_2_is_less else slice0winner2_cost_0_4;
+      slice0winner3_cost_0_3 <= slice0winner2_cost_0_6;
+      slice0winner3_index_0_0 <= slice0winner2_index_0_1 when slice0winner3_cost_0_0_is_less else
+        slice0winner2_index_0_0;
+      slice0winner3_index_0_1 <= slice0winner2_index_0_3 when slice0winner3_cost_0_1_is_less else
+        slice0winner2_index_0_2;
+      slice0winner3_index_0_2 <= slice0winner2_index_0_5 when slice0winner3_cost_0_2_is_less else
+        slice0winner2_index_0_4;
+      slice0winner3_index_0_3 <= slice0winner2_index_0_6;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_cost_0_0_is_less := slice0winner3_cost_0_1 < slice0winner3_cost_0_0;
+      slice0winner4_cost_0_1_is_less := slice0winner3_cost_0_3 < slice0winner3_cost_0_2;
+      slice0winner4_cost_0_0 <= slice0winner3_cost_0_1 when slice0winner4_cost_0_0_is_less else slice0winner3_cost_0_0;
+      slice0winner4_cost_0_1 <= slice0winner3_cost_0_3 when slice0winner4_cost_0_1_is_less else slice0winner3_cost_0_2;
+      slice0winner4_index_0_0 <= slice0winner3_index_0_1 when slice0winner4_cost_0_0_is_less else
+        slice0winner3_index_0_0;
+      slice0winner4_index_0_1 <= slice0winner3_index_0_3 when slice0winner4_cost_0_1_is_less else
+        slice0winner3_index_0_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice0winner5
+      slice0winner5_cost_0_0 <= slice0winner4_cost_0_0 when slice0winner4_cost_0_0 < slice0winner4_cost_0_1 else
+        slice0winner4_cost_0_1;
+      slice0winner5_index_0_0 <= slice0winner4_index_0_1 when slice0winner4_cost_0_1 < slice0winner4_cost_0_0 else
+        slice0winner4_index_0_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      -- slice0best
+      slice0best_cost_0 <= slice0winner5_cost_0_0;
+      slice0best_disparity_0 <= slice0winner5_index_0_0 + 75;
+      slice0best_tag_valid <= slice0winner5_tag_valid;
+      slice0best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_left_0_0 <= slice1shift_left_0_1;
+        slice1shift_left_0_1 <= slice1shift_left_0_2;
+        slice1shift_left_0_2 <= slice1shift_left_0_3;
+        slice1shift_left_0_3 <= slice1shift_left_0_4;
+        slice1shift_left_0_4 <= slice1shift_left_0_5;
+        slice1shift_left_0_5 <= slice1shift_left_0_6;
+        slice1shift_left_0_6 <= slice1shift_left_0_7;
+        slice1shift_left_0_7 <= slice1shift_left_0_8;
+        slice1shift_left_0_8 <= slice1shift_left_0_9;
+        slice1shift_left_0_9 <= slice1shift_left_0_10;
+        slice1shift_left_0_10 <= slice1shift_left_0_11;
+        slice1shift_left_0_11 <= slice1shift_left_0_12;
+        slice1shift_left_0_12 <= slice1shift_left_0_13;
+        slice1shift_left_0_13 <= slice1shift_left_0_14;
+        slice1shift_left_0_14 <= slice1shift_left_0_15;
+        slice1shift_left_0_15 <= slice1shift_left_0_16;
+        slice1shift_left_0_16 <= slice1shift_left_0_17;
+        slice1shift_left_0_17 <= slice1shift_left_0_18;
+        slice1shift_left_0_18 <= slice1shift_left_0_19;
+        slice1shift_left_0_19 <= slice1shift_left_0_20;
+        slice1shift_left_0_20 <= slice1shift_left_0_21;
+        slice1shift_left_0_21 <= slice1shift_left_0_22;
+        slice1shift_left_0_22 <= slice1shift_left_0_23;
+        slice1shift_left_0_23 <= slice1shift_left_0_24;
+        slice1shift_left_0_24 <= slice0shift_left_out_0;
+        slice1shift_left_1_0 <= slice1shift_left_1_1;
+        slice1shift_left_1_1 <= slice1shift_left_1_2;
+        slice1shift_left_1_2 <= slice1shift_left_1_3;
+        slice1shift_left_1_3 <= slice1shift_left_1_4;
+        slice1shift_left_1_4 <= slice1shift_left_1_5;
+        slice1shift_left_1_5 <= slice1shift_left_1_6;
+        slice1shift_left_1_6 <= slice1shift_left_1_7;
+        slice1shift_left_1_7 <= slice1shift_left_1_8;
+        slice1shift_left_1_8 <= slice1shift_left_1_9;
+        slice1shift_left_1_9 <= slice1shift_left_1_10;
+        slice1shift_left_1_10 <= slice1shift_left_1_11;
+        slice1shift_left_1_11 <= slice1shift_left_1_12;
+        slice1shift_left_1_12 <= slice1shift_left_1_13;
+        slice1shift_left_1_13 <= slice1shift_left_1_14;
+        slice1shift_left_1_14 <= slice1shift_left_1_15;
+        slice1shift_left_1_15 <= slice1shift_left_1_16;
+        slice1shift_left_1_16 <= slice1shift_left_1_17;
+        slice1shift_left_1_17 <= slice1shift_left_1_18;
+        slice1shift_left_1_18 <= slice1shift_left_1_19;
+        slice1shift_left_1_19 <= slice1shift_left_1_20;
+        slice1shift_left_1_20 <= slice1shift_left_1_21;
+        slice1shift_left_1_21 <= slice1shift_left_1_22;
+        slice1shift_left_1_22 <= slice1shift_left_1_23;
+        slice1shift_left_1_23 <= slice1shift_left_1_24;
+        slice1shift_left_1_24 <= slice0shift_left_out_1;
+        slice1shift_left_2_0 <= slice1shift_left_2_1;
+        slice1shift_left_2_1 <= slice1shift_left_2_2;
+        slice1shift_left_2_2 <= slice1shift_left_2_3;
+        slice1shift_left_2_3 <= slice1shift_left_2_4;
+        slice1shift_left_2_4 <= slice1shift_left_2_5;
+        slice1shift_left_2_5 <= slice1shift_left_2_6;
+        slice1shift_left_2_6 <= slice1shift_left_2_7;
+        slice1shift_left_2_7 <= slice1shift_left_2_8;
+        slice1shift_left_2_8 <= slice1shift_left_2_9;
+        slice1shift_left_2_9 <= slice1shift_left_2_10;
+        slice1shift_left_2_10 <= slice1shift_left_2_11;
+        slice1shift_left_2_11 <= slice1shift_left_2_12;
+        slice1shift_left_2_12 <= slice1shift_left_2_13;
+        slice1shift_left_2_13 <= slice1shift_left_2_14;
+        slice1shift_left_2_14 <= slice1shift_left_2_15;
+        slice1shift_left_2_15 <= slice1shift_left_2_16;
+        slice1shift_left_2_16 <= slice1shift_left_2_17;
+        slice1shift_left_2_17 <= slice1shift_left_2_18;
+        slice1shift_left_2_18 <= slice1shift_left_2_19;
+        slice1shift_left_2_19 <= slice1shift_left_2_20;
+        slice1shift_left_2_20 <= slice1shift_left_2_21;
+        slice1shift_left_2_21 <= slice1shift_left_2_22;
+        slice1shift_left_2_22 <= slice1shift_left_2_23;
+        slice1shift_left_2_23 <= slice1shift_left_2_24;
+        slice1shift_left_2_24 <= slice0shift_left_out_2;
+      end if;
+      slice1shift_right_0 <= slice0shift_right_0;
+      slice1shift_right_1 <= slice0shift_right_1;
+      slice1shift_right_2 <= slice0shift_right_2;
+      slice1shift_left_out_0 <= slice1shift_left_0_0;
+      slice1shift_left_out_1 <= slice1shift_left_1_0;
+      slice1shift_left_out_2 <= slice1shift_left_2_0;
+      -- slice1cost
+      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
+        positive_part(slice1cost_difference_2_0);
+      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
+        positive_part(slice1cost_difference_2_1);
+      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
+        positive_part(slice1cost_difference_2_2);
+      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
+        positive_part(slice1cost_difference_2_3);
+      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
+        positive_part(slice1cost_difference_2_4);
+      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
+        positive_part(slice1cost_difference_2_5);
+      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
+        positive_part(slice1cost_difference_2_6);
+      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
+        positive_part(slice1cost_difference_2_7);
+      slice1cost_pair_0_8_choice := slice1cost_reverse_0_8 when slice1cost_difference_2_8 < 0 else
+        positive_part(slice1cost_difference_2_8);
+      slice1cost_pair_0_9_choice := slice1cost_reverse_0_9 when slice1cost_difference_2_9 < 0 else
+        positive_part(slice1cost_difference_2_9);
+      slice1cost_pair_0_10_choice := slice1cost_reverse_0_10 when slice1cost_difference_2_10 < 0 else
+        positive_part(slice1cost_difference_2_10);
+      slice1cost_pair_0_11_choice := slice1cost_reverse_0_11 when slice1cost_difference_2_11 < 0 else
+        positive_part(slice1cost_difference_2_11);
+      slice1cost_pair_0_12_choice := slice1cost_reverse_0_12 when slice1cost_difference_2_12 < 0 else
+        positive_part(slice1cost_difference_2_12);
+      slice1cost_pair_0_13_choice := slice1cost_reverse_0_13 when slice1cost_difference_2_13 < 0 else
+        positive_part(slice1cost_difference_2_13);
+      slice1cost_pair_0_14_choice := slice1cost_reverse_0_14 when slice1cost_difference_2_14 < 0 else
+        positive_part(slice1cost_difference_2_14);
+      slice1cost_pair_0_15_choice := slice1cost_reverse_0_15 when slice1cost_difference_2_15 < 0 else
+        positive_part(slice1cost_difference_2_15);
+      slice1cost_pair_0_16_choice := slice1cost_reverse_0_16 when slice1cost_difference_2_16 < 0 else
+        positive_part(slice1cost_difference_2_16);
+      slice1cost_pair_0_17_choice := slice1cost_reverse_0_17 when slice1cost_difference_2_17 < 0 else
+        positive_part(slice1cost_difference_2_17);
+      slice1cost_pair_0_18_choice := slice1cost_reverse_0_18 when slice1cost_difference_2_18 < 0 else
+        positive_part(slice1cost_difference_2_18);
+      slice1cost_pair_0_19_choice := slice1cost_reverse_0_19 when slice1cost_difference_2_19 < 0 else
+        positive_part(slice1cost_difference_2_19);
+      slice1cost_pair_0_20_choice := slice1cost_reverse_0_20 when slice1cost_difference_2_20 < 0 else
+        positive_part(slice1cost_difference_2_20);
+      slice1cost_pair_0_21_choice := slice1cost_reverse_0_21 when slice1cost_difference_2_21 < 0 else
+        positive_part(slice1cost_difference_2_21);
+      slice1cost_pair_0_22_choice := slice1cost_reverse_0_22 when slice1cost_difference_2_22 < 0 else
+        positive_part(slice1cost_difference_2_22);
+      slice1cost_pair_0_23_choice := slice1cost_reverse_0_23 when slice1cost_difference_2_23 < 0 else
+        positive_part(slice1cost_difference_2_23);
+      slice1cost_pair_0_24_choice := slice1cost_reverse_0_24 when slice1cost_difference_2_24 < 0 else
+        positive_part(slice1cost_difference_2_24);
+      slice1cost_difference_0_0 <= slice1shift_left_0_0 - slice1shift_right_0;
+      slice1cost_difference_0_1 <= slice1shift_left_0_1 - slice1shift_right_0;
+      slice1cost_difference_0_2 <= slice1shift_left_0_2 - slice1shift_right_0;
+      slice1cost_difference_0_3 <= slice1shift_left_0_3 - slice1shift_right_0;
+      slice1cost_difference_0_4 <= slice1shift_left_0_4 - slice1shift_right_0;
+      slice1cost_difference_0_5 <= slice1shift_left_0_5 - slice1shift_right_0;
+      slice1cost_difference_0_6 <= slice1shift_left_0_6 - slice1shift_right_0;
+      slice1cost_difference_0_7 <= slice1shift_left_0_7 - slice1shift_right_0;
+      slice1cost_difference_0_8 <= slice1shift_left_0_8 - slice1shift_right_0;
+      slice1cost_difference_0_9 <= slice1shift_left_0_9 - slice1shift_right_0;
+      slice1cost_difference_0_10 <= slice1shift_left_0_10 - slice1shift_right_0;
+      slice1cost_difference_0_11 <= slice1shift_left_0_11 - slice1shift_right_0;
+      slice1cost_difference_0_12 <= slice1shift_left_0_12 - slice1shift_right_0;
+      slice1cost_difference_0_13 <= slice1shift_left_0_13 - slice1shift_right_0;
+      slice1cost_difference_0_14 <= slice1shift_left_0_14 - slice1shift_right_0;
+      slice1cost_difference_0_15 <= slice1shift_left_0_15 - slice1shift_right_0;
+      slice1cost_difference_0_16 <= slice1shift_left_0_16 - slice1shift_right_0;
+      slice1cost_difference_0_17 <= slice1shift_left_0_17 - slice1shift_right_0;
+      slice1cost_difference_0_18 <= slice1shift_left_0_18 - slice1shift_right_0;
+      slice1cost_difference_0_19 <= slice1shift_left_0_19 - slice1shift_right_0;
+      slice1cost_difference_0_20 <= slice1shift_left_0_20 - slice1shift_right_0;
+      slice1cost_difference_0_21 <= slice1shift_left_0_21 - slice1shift_right_0;
+      slice1cost_difference_0_22 <= slice1shift_left_0_22 - slice1shift_right_0;
+      slice1cost_difference_0_23 <= slice1shift_left_0_23 - slice1shift_right_0;
+      slice1cost_difference_0_24 <= slice1shift_left_0_24 - slice1shift_right_0;
+      slice1cost_difference_1_0 <= slice1shift_left_1_0 - slice1shift_right_1;
+      slice1cost_difference_1_1 <= slice1shift_left_1_1 - slice1shift_right_1;
+      slice1cost_difference_1_2 <= slice1shift_left_1_2 - slice1shift_right_1;
+      slice1cost_difference_1_3 <= slice1shift_left_1_3 - slice1shift_right_1;
+      slice1cost_difference_1_4 <= slice1shift_left_1_4 - slice1shift_right_1;
+      slice1cost_difference_1_5 <= slice1shift_left_1_5 - slice1shift_right_1;
+      slice1cost_difference_1_6 <= slice1shift_left_1_6 - slice1shift_right_1;
+      slice1cost_difference_1_7 <= slice1shift_left_1_7 - slice1shift_right_1;
+      slice1cost_difference_1_8 <= slice1shift_left_1_8 - slice1shift_right_1;
+      slice1cost_difference_1_9 <= slice1shift_left_1_9 - slice1shift_right_1;
+      slice1cost_difference_1_10 <= slice1shift_left_1_10 - slice1shift_right_1;
+      slice1cost_difference_1_11 <= slice1shift_left_1_11 - slice1shift_right_1;
+      slice1cost_difference_1_12 <= slice1shift_left_1_12 - slice1shift_right_1;
+      slice1cost_difference_1_13 <= slice1shift_left_1_13 - slice1shift_right_1;
+      slice1cost_difference_1_14 <= slice1shift_left_1_14 - slice1shift_right_1;
+      slice1cost_difference_1_15 <= slice1shift_left_1_15 - slice1shift_right_1;
+      slice1cost_difference_1_16 <= slice1shift_left_1_16 - slice1shift_right_1;
+      slice1cost_difference_1_17 <= slice1shift_left_1_17 - slice1shift_right_1;
+      slice1cost_difference_1_18 <= slice1shift_left_1_18 - slice1shift_right_1;
+      slice1cost_difference_1_19 <= slice1shift_left_1_19 - slice1shift_right_1;
+      slice1cost_difference_1_20 <= slice1shift_left_1_20 - slice1shift_right_1;
+      slice1cost_difference_1_21 <= slice1shift_left_1_21 - slice1shift_right_1;
+      slice1cost_difference_1_22 <= slice1shift_left_1_22 - slice1shift_right_1;
+      slice1cost_difference_1_23 <= slice1shift_left_1_23 - slice1shift_right_1;
+      slice1cost_difference_1_24 <= slice1shift_left_1_24 - slice1shift_right_1;
+      slice1cost_difference_2_0 <= slice1shift_left_2_0 - slice1shift_right_2;
+      slice1cost_difference_2_1 <= slice1shift_left_2_1 - slice1shift_right_2;
+      slice1cost_difference_2_2 <= slice1shift_left_2_2 - slice1shift_right_2;
+      slice1cost_difference_2_3 <= slice1shift_left_2_3 - slice1shift_right_2;
+      slice1cost_difference_2_4 <= slice1shift_left_2_4 - slice1shift_right_2;
+      slice1cost_difference_2_5 <= slice1shift_left_2_5 - slice1shift_right_2;
+      slice1cost_difference_2_6 <= slice1shift_left_2_6 - slice1shift_right_2;
+      slice1cost_difference_2_7 <= slice1shift_left_2_7 - slice1shift_right_2;
+      slice1cost_difference_2_8 <= slice1shift_left_2_8 - slice1shift_right_2;
+      slice1cost_difference_2_9 <= slice1shift_left_2_9 - slice1shift_right_2;
+      slice1cost_difference_2_10 <= slice1shift_left_2_10 - slice1shift_right_2;
+      slice1cost_difference_2_11 <= slice1shift_left_2_11 - slice1shift_right_2;
+      slice1cost_difference_2_12 <= slice1shift_left_2_12 - slice1shift_right_2;
+      slice1cost_difference_2_13 <= slice1shift_left_2_13 - slice1shift_right_2;
+      slice1cost_difference_2_14 <= slice1shift_left_2_14 - slice1shift_right_2;
+      slice1cost_difference_2_15 <= slice1shift_left_2_15 - slice1shift_right_2;
+      slice1cost_difference_2_16 <= slice1shift_left_2_16 - slice1shift_right_2;
+      slice1cost_difference_2_17 <= slice1shift_left_2_17 - slice1shift_right_2;
+      slice1cost_difference_2_18 <= slice1shift_left_2_18 - slice1shift_right_2;
+      slice1cost_difference_2_19 <= slice1shift_left_2_19 - slice1shift_right_2;
+      slice1cost_difference_2_20 <= slice1shift_left_2_20 - slice1shift_right_2;
+      slice1cost_difference_2_21 <= slice1shift_left_2_21 - slice1shift_right_2;
+      slice1cost_difference_2_22 <= slice1shift_left_2_22 - slice1shift_right_2;
+      slice1cost_difference_2_23 <= slice1shift_left_2_23 - slice1shift_right_2;
+      slice1cost_difference_2_24 <= slice1shift_left_2_24 - slice1shift_right_2;
+      slice1cost_reverse_0_0 <= (slice1shift_right_2 - slice1shift_left_2_0) mod 256;
+      slice1cost_reverse_0_1 <= (slice1shift_right_2 - slice1shift_left_2_1) mod 256;
+      slice1cost_reverse_0_2 <= (slice1shift_right_2 - slice1shift_left_2_2) mod 256;
+      slice1cost_reverse_0_3 <= (slice1shift_right_2 - slice1shift_left_2_3) mod 256;
+      slice1cost_reverse_0_4 <= (slice1shift_right_2 - slice1shift_left_2_4) mod 256;
+      slice1cost_reverse_0_5 <= (slice1shift_right_2 - slice1shift_left_2_5) mod 256;
+      slice1cost_reverse_0_6 <= (slice1shift_right_2 - slice1shift_left_2_6) mod 256;
+      slice1cost_reverse_0_7 <= (slice1shift_right_2 - slice1shift_left_2_7) mod 256;
+      slice1cost_reverse_0_8 <= (slice1shift_right_2 - slice1shift_left_2_8) mod 256;
+      slice1cost_reverse_0_9 <= (slice1shift_right_2 - slice1shift_left_2_9) mod 256;
+      slice1cost_reverse_0_10 <= (slice1shift_right_2 - slice1shift_left_2_10) mod 256;
+      slice1cost_reverse_0_11 <= (slice1shift_right_2 - slice1shift_left_2_11) mod 256;
+      slice1cost_reverse_0_12 <= (slice1shift_right_2 - slice1shift_left_2_12) mod 256;
+      slice1cost_reverse_0_13 <= (slice1shift_right_2 - slice1shift_left_2_13) mod 256;
+      slice1cost_reverse_0_14 <= (slice1shift_right_2 - slice1shift_left_2_14) mod 256;
+      slice1cost_reverse_0_15 <= (slice1shift_right_2 - slice1shift_left_2_15) mod 256;
+      slice1cost_reverse_0_16 <= (slice1shift_right_2 - slice1shift_left_2_16) mod 256;
+      slice1cost_reverse_0_17 <= (slice1shift_right_2 - slice1shift_left_2_17) mod 256;
+      slice1cost_reverse_0_18 <= (slice1shift_right_2 - slice1shift_left_2_18) mod 256;
+      slice1cost_reverse_0_19 <= (slice1shift_right_2 - slice1shift_left_2_19) mod 256;
+      slice1cost_reverse_0_20 <= (slice1shift_right_2 - slice1shift_left_2_20) mod 256;
+      slice1cost_reverse_0_21 <= (slice1shift_right_2 - slice1shift_left_2_21) mod 256;
+      slice1cost_reverse_0_22 <= (slice1shift_right_2 - slice1shift_left_2_22) mod 256;
+      slice1cost_reverse_0_23 <= (slice1shift_right_2 - slice1shift_left_2_23) mod 256;
+      slice1cost_reverse_0_24 <= (slice1shift_right_2 - slice1shift_left_2_24) mod 256;
+      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+        as_number((slice1cost_difference_1_3 < 0));
+      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+        as_number((slice1cost_difference_1_4 < 0));
+      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+        as_number((slice1cost_difference_1_5 < 0));
+      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+        as_number((slice1cost_difference_1_6 < 0));
+      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+        as_number((slice1cost_difference_1_7 < 0));
+      slice1cost_pair_0_8 <= slice1cost_pair_0_8_choice + folded(slice1cost_difference_1_8) +
+        as_number((slice1cost_difference_1_8 < 0));
+      slice1cost_pair_0_9 <= slice1cost_pair_0_9_choice + folded(slice1cost_difference_1_9) +
+        as_number((slice1cost_difference_1_9 < 0));
+      slice1cost_pair_0_10 <= slice1cost_pair_0_10_choice + folded(slice1cost_difference_1_10) +
+        as_number((slice1cost_difference_1_10 < 0));
+      slice1cost_pair_0_11 <= slice1cost_pair_0_11_choice + folded(slice1cost_difference_1_11) +
+        as_number((slice1cost_difference_1_11 < 0));
+      slice1cost_pair_0_12 <= slice1cost_pair_0_12_choice + folded(slice1cost_difference_1_12) +
+        as_number((slice1cost_difference_1_12 < 0));
+      slice1cost_pair_0_13 <= slice1cost_pair_0_13_choice + folded(slice1cost_difference_1_13) +
+        as_number((slice1cost_difference_1_13 < 0));
+      slice1cost_pair_0_14 <= slice1cost_pair_0_14_choice + folded(slice1cost_difference_1_14) +
+        as_number((slice1cost_difference_1_14 < 0));
+      slice1cost_pair_0_15 <= slice1cost_pair_0_15_choice + folded(slice1cost_difference_1_15) +
+        as_number((slice1cost_difference_1_15 < 0));
+      slice1cost_pair_0_16 <= slice1cost_pair_0_16_choice + folded(slice1cost_difference_1_16) +
+        as_number((slice1cost_difference_1_16 < 0));
+      slice1cost_pair_0_17 <= slice1cost_pair_0_17_choice + folded(slice1cost_difference_1_17) +
+        as_number((slice1cost_difference_1_17 < 0));
+      slice1cost_pair_0_18 <= slice1cost_pair_0_18_choice + folded(slice1cost_difference_1_18) +
+        as_number((slice1cost_difference_1_18 < 0));
+      slice1cost_pair_0_19 <= slice1cost_pair_0_19_choice + folded(slice1cost_difference_1_19) +
+        as_number((slice1cost_difference_1_19 < 0));
+      slice1cost_pair_0_20 <= slice1cost_pair_0_20_choice + folded(slice1cost_difference_1_20) +
+        as_number((slice1cost_difference_1_20 < 0));
+      slice1cost_pair_0_21 <= slice1cost_pair_0_21_choice + folded(slice1cost_difference_1_21) +
+        as_number((slice1cost_difference_1_21 < 0));
+      slice1cost_pair_0_22 <= slice1cost_pair_0_22_choice + folded(slice1cost_difference_1_22) +
+        as_number((slice1cost_difference_1_22 < 0));
+      slice1cost_pair_0_23 <= slice1cost_pair_0_23_choice + folded(slice1cost_difference_1_23) +
+        as_number((slice1cost_difference_1_23 < 0));
+      slice1cost_pair_0_24 <= slice1cost_pair_0_24_choice + folded(slice1cost_difference_1_24) +
+        as_number((slice1cost_difference_1_24 < 0));
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
+      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
+      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
+      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
+      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
+      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
+      slice1cost_single_0_8 <= folded(slice1cost_difference_0_8);
+      slice1cost_single_0_9 <= folded(slice1cost_difference_0_9);
+      slice1cost_single_0_10 <= folded(slice1cost_difference_0_10);
+      slice1cost_single_0_11 <= folded(slice1cost_difference_0_11);
+      slice1cost_single_0_12 <= folded(slice1cost_difference_0_12);
+      slice1cost_single_0_13 <= folded(slice1cost_difference_0_13);
+      slice1cost_single_0_14 <= folded(slice1cost_difference_0_14);
+      slice1cost_single_0_15 <= folded(slice1cost_difference_0_15);
+      slice1cost_single_0_16 <= folded(slice1cost_difference_0_16);
+      slice1cost_single_0_17 <= folded(slice1cost_difference_0_17);
+      slice1cost_single_0_18 <= folded(slice1cost_difference_0_18);
+      slice1cost_single_0_19 <= folded(slice1cost_difference_0_19);
+      slice1cost_single_0_20 <= folded(slice1cost_difference_0_20);
+      slice1cost_single_0_21 <= folded(slice1cost_difference_0_21);
+      slice1cost_single_0_22 <= folded(slice1cost_difference_0_22);
+      slice1cost_single_0_23 <= folded(slice1cost_difference_0_23);
+      slice1cost_single_0_24 <= folded(slice1cost_difference_0_24);
+      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
+      slice1cost_negative_0_8 <= slice1cost_difference_0_8 < 0;
+      slice1cost_negative_0_9 <= slice1cost_difference_0_9 < 0;
+      slice1cost_negative_0_10 <= slice1cost_difference_0_10 < 0;
+      slice1cost_negative_0_11 <= slice1cost_difference_0_11 < 0;
+      slice1cost_negative_0_12 <= slice1cost_difference_0_12 < 0;
+      slice1cost_negative_0_13 <= slice1cost_difference_0_13 < 0;
+      slice1cost_negative_0_14 <= slice1cost_difference_0_14 < 0;
+      slice1cost_negative_0_15 <= slice1cost_difference_0_15 < 0;
+      slice1cost_negative_0_16 <= slice1cost_difference_0_16 < 0;
+      slice1cost_negative_0_17 <= slice1cost_difference_0_17 < 0;
+      slice1cost_negative_0_18 <= slice1cost_difference_0_18 < 0;
+      slice1cost_negative_0_19 <= slice1cost_difference_0_19 < 0;
+      slice1cost_negative_0_20 <= slice1cost_difference_0_20 < 0;
+      slice1cost_negative_0_21 <= slice1cost_difference_0_21 < 0;
+      slice1cost_negative_0_22 <= slice1cost_difference_0_22 < 0;
+      slice1cost_negative_0_23 <= slice1cost_difference_0_23 < 0;
+      slice1cost_negative_0_24 <= slice1cost_difference_0_24 < 0;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
+        slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
+        slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
+        slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
+        slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
+        slice1cost_pair_0_4 + slice1cost_single_0_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
+        slice1cost_pair_0_5 + slice1cost_single_0_5;
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
+        slice1cost_pair_0_6 + slice1cost_single_0_6;
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
+        slice1cost_pair_0_7 + slice1cost_single_0_7;
+      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_8) +
+        slice1cost_pair_0_8 + slice1cost_single_0_8;
+      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_9) +
+        slice1cost_pair_0_9 + slice1cost_single_0_9;
+      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_10) +
+        slice1cost_pair_0_10 + slice1cost_single_0_10;
+      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_11) +
+        slice1cost_pair_0_11 + slice1cost_single_0_11;
+      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_12) +
+        slice1cost_pair_0_12 + slice1cost_single_0_12;
+      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_13) +
+        slice1cost_pair_0_13 + slice1cost_single_0_13;
+      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_14) +
+        slice1cost_pair_0_14 + slice1cost_single_0_14;
+      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_15) +
+        slice1cost_pair_0_15 + slice1cost_single_0_15;
+      slice1cost_column_0_16 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_16) +
+        slice1cost_pair_0_16 + slice1cost_single_0_16;
+      slice1cost_column_0_17 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_17) +
+        slice1cost_pair_0_17 + slice1cost_single_0_17;
+      slice1cost_column_0_18 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_18) +
+        slice1cost_pair_0_18 + slice1cost_single_0_18;
+      slice1cost_column_0_19 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_19) +
+        slice1cost_pair_0_19 + slice1cost_single_0_19;
+      slice1cost_column_0_20 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_20) +
+        slice1cost_pair_0_20 + slice1cost_single_0_20;
+      slice1cost_column_0_21 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_21) +
+        slice1cost_pair_0_21 + slice1cost_single_0_21;
+      slice1cost_column_0_22 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_22) +
+        slice1cost_pair_0_22 + slice1cost_single_0_22;
+      slice1cost_column_0_23 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_23) +
+        slice1cost_pair_0_23 + slice1cost_single_0_23;
+      slice1cost_column_0_24 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_24) +
+        slice1cost_pair_0_24 + slice1cost_single_0_24;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
+        slice1window_partial_0_0_6 <= slice1cost_column_0_6;
+        slice1window_partial_0_0_7 <= slice1cost_column_0_7;
+        slice1window_partial_0_0_8 <= slice1cost_column_0_8;
+        slice1window_partial_0_0_9 <= slice1cost_column_0_9;
+        slice1window_partial_0_0_10 <= slice1cost_column_0_10;
+        slice1window_partial_0_0_11 <= slice1cost_column_0_11;
+        slice1window_partial_0_0_12 <= slice1cost_column_0_12;
+        slice1window_partial_0_0_13 <= slice1cost_column_0_13;
+        slice1window_partial_0_0_14 <= slice1cost_column_0_14;
+        slice1window_partial_0_0_15 <= slice1cost_column_0_15;
+        slice1window_partial_0_0_16 <= slice1cost_column_0_16;
+        slice1window_partial_0_0_17 <= slice1cost_column_0_17;
+        slice1window_partial_0_0_18 <= slice1cost_column_0_18;
+        slice1window_partial_0_0_19 <= slice1cost_column_0_19;
+        slice1window_partial_0_0_20 <= slice1cost_column_0_20;
+        slice1window_partial_0_0_21 <= slice1cost_column_0_21;
+        slice1window_partial_0_0_22 <= slice1cost_column_0_22;
+        slice1window_partial_0_0_23 <= slice1cost_column_0_23;
+        slice1window_partial_0_0_24 <= slice1cost_column_0_24;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
+        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
+        slice1window_partial_0_1_5 <= slice1cost_column_0_5 + slice1window_partial_0_0_5;
+        slice1window_partial_0_1_6 <= slice1cost_column_0_6 + slice1window_partial_0_0_6;
+        slice1window_partial_0_1_7 <= slice1cost_column_0_7 + slice1window_partial_0_0_7;
+        slice1window_partial_0_1_8 <= slice1cost_column_0_8 + slice1window_partial_0_0_8;
+        slice1window_partial_0_1_9 <= slice1cost_column_0_9 + slice1window_partial_0_0_9;
+        slice1window_partial_0_1_10 <= slice1cost_column_0_10 + slice1window_partial_0_0_10;
+        slice1window_partial_0_1_11 <= slice1cost_column_0_11 + slice1window_partial_0_0_11;
+        slice1window_partial_0_1_12 <= slice1cost_column_0_12 + slice1window_partial_0_0_12;
+        slice1window_partial_0_1_13 <= slice1cost_column_0_13 + slice1window_partial_0_0_13;
+        slice1window_partial_0_1_14 <= slice1cost_column_0_14 + slice1window_partial_0_0_14;
+        slice1window_partial_0_1_15 <= slice1cost_column_0_15 + slice1window_partial_0_0_15;
+        slice1window_partial_0_1_16 <= slice1cost_column_0_16 + slice1window_partial_0_0_16;
+        slice1window_partial_0_1_17 <= slice1cost_column_0_17 + slice1window_partial_0_0_17;
+        slice1window_partial_0_1_18 <= slice1cost_column_0_18 + slice1window_partial_0_0_18;
+        slice1window_partial_0_1_19 <= slice1cost_column_0_19 + slice1window_partial_0_0_19;
+        slice1window_partial_0_1_20 <= slice1cost_column_0_20 + slice1window_partial_0_0_20;
+        slice1window_partial_0_1_21 <= slice1cost_column_0_21 + slice1window_partial_0_0_21;
+        slice1window_partial_0_1_22 <= slice1cost_column_0_22 + slice1window_partial_0_0_22;
+        slice1window_partial_0_1_23 <= slice1cost_column_0_23 + slice1window_partial_0_0_23;
+        slice1window_partial_0_1_24 <= slice1cost_column_0_24 + slice1window_partial_0_0_24;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
+      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
+      slice1window_sum_0_5 <= slice1cost_column_0_5 + slice1window_partial_0_1_5;
+      slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_1_6;
+      slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_1_7;
+      slice1window_sum_0_8 <= slice1cost_column_0_8 + slice1window_partial_0_1_8;
+      slice1window_sum_0_9 <= slice1cost_column_0_9 + slice1window_partial_0_1_9;
+      slice1window_sum_0_10 <= slice1cost_column_0_10 + slice1window_partial_0_1_10;
+      slice1window_sum_0_11 <= slice1cost_column_0_11 + slice1window_partial_0_1_11;
+      slice1window_sum_0_12 <= slice1cost_column_0_12 + slice1window_partial_0_1_12;
+      slice1window_sum_0_13 <= slice1cost_column_0_13 + slice1window_partial_0_1_13;
+      slice1window_sum_0_14 <= slice1cost_column_0_14 + slice1window_partial_0_1_14;
+      slice1window_sum_0_15 <= slice1cost_column_0_15 + slice1window_partial_0_1_15;
+      slice1window_sum_0_16 <= slice1cost_column_0_16 + slice1window_partial_0_1_16;
+      slice1window_sum_0_17 <= slice1cost_column_0_17 + slice1window_partial_0_1_17;
+      slice1window_sum_0_18 <= slice1cost_column_0_18 + slice1window_partial_0_1_18;
+      slice1window_sum_0_19 <= slice1cost_column_0_19 + slice1window_partial_0_1_19;
+      slice1window_sum_0_20 <= slice1cost_column_0_20 + slice1window_partial_0_1_20;
+      slice1window_sum_0_21 <= slice1cost_column_0_21 + slice1window_partial_0_1_21;
+      slice1window_sum_0_22 <= slice1cost_column_0_22 + slice1window_partial_0_1_22;
+      slice1window_sum_0_23 <= slice1cost_column_0_23 + slice1window_partial_0_1_23;
+      slice1window_sum_0_24 <= slice1cost_column_0_24 + slice1window_partial_0_1_24;
+      -- slice1winner1
+      slice1winner1_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
+      slice1winner1_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
+      slice1winner1_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
+      slice1winner1_cost_0_4_is_less := slice1window_sum_0_9 < slice1window_sum_0_8;
+      slice1winner1_cost_0_5_is_less := slice1window_sum_0_11 < slice1window_sum_0_10;
+      slice1winner1_cost_0_6_is_less := slice1window_sum_0_13 < slice1window_sum_0_12;
+      slice1winner1_cost_0_7_is_less := slice1window_sum_0_15 < slice1window_sum_0_14;
+      slice1winner1_cost_0_8_is_less := slice1window_sum_0_17 < slice1window_sum_0_16;
+      slice1winner1_cost_0_9_is_less := slice1window_sum_0_19 < slice1window_sum_0_18;
+      slice1winner1_cost_0_10_is_less := slice1window_sum_0_21 < slice1window_sum_0_20;
+      slice1winner1_cost_0_11_is_less := slice1window_sum_0_23 < slice1window_sum_0_22;
+      slice1winner1_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_cost_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_cost_0_1_is_less else slice1window_sum_0_2;
+      slice1winner1_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_cost_0_2_is_less else slice1window_sum_0_4;
+      slice1winner1_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_cost_0_3_is_less else slice1window_sum_0_6;
+      slice1winner1_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_cost_0_4_is_less else slice1window_sum_0_8;
+      slice1winner1_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_cost_0_5_is_less else slice1window_sum_0_10;
+      slice1winner1_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_cost_0_6_is_less else slice1window_sum_0_12;
+      slice1winner1_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_cost_0_7_is_less else slice1window_sum_0_14;
+      slice1winner1_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_cost_0_8_is_less else slice1window_sum_0_16;
+      slice1winner1_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_cost_0_9_is_less else slice1window_sum_0_18;
+      slice1winner1_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_cost_0_10_is_less else slice1window_sum_0_20;
+      slice1winner1_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_cost_0_11_is_less else slice1window_sum_0_22;
+      slice1winner1_cost_0_12 <= slice1window_sum_0_24;
+      slice1winner1_index_0_0 <= slice1winner1_cost_0_0_is_less;
+      slice1winner1_index_0_1 <= 3 when slice1winner1_cost_0_1_is_less else 2;
+      slice1winner1_index_0_2 <= 5 when slice1winner1_cost_0_2_is_less else 4;
+      slice1winner1_index_0_3 <= 7 when slice1winner1_cost_0_3_is_less else 6;
+      slice1winner1_index_0_4 <= 9 when slice1winner1_cost_0_4_is_less else 8;
+      slice1winner1_index_0_5 <= 11 when slice1winner1_cost_0_5_is_less else 10;
+      slice1winner1_index_0_6 <= 13 when slice1winner1_cost_0_6_is_less else 12;
+      slice1winner1_index_0_7 <= 15 when slice1winner1_cost_0_7_is_less else 14;
+      slice1winner1_index_0_8 <= 17 when slice1winner1_cost_0_8_is_less else 16;
+      slice1winner1_index_0_9 <= 19 when slice1winner1_cost_0_9_is_less else 18;
+      slice1winner1_index_0_10 <= 21 when slice1winner1_cost_0_10_is_less else 20;
+      slice1winner1_index_0_11 <= 23 when slice1winner1_cost_0_11_is_less else 22;
+      -- slice1winner2
+      slice1winner2_cost_0_0_is_less := slice1winner1_cost_0_1 < slice1winner1_cost_0_0;
+      slice1winner2_cost_0_1_is_less := slice1winner1_cost_0_3 < slice1winner1_cost_0_2;
+      slice1winner2_cost_0_2_is_less := slice1winner1_cost_0_5 < slice1winner1_cost_0_4;
+      slice1winner2_cost_0_3_is_less := slice1winner1_cost_0_7 < slice1winner1_cost_0_6;
+      slice1winner2_cost_0_4_is_less := slice1winner1_cost_0_9 < slice1winner1_cost_0_8;
+      slice1winner2_cost_0_5_is_less := slice1winner1_cost_0_11 < slice1winner1_cost_0_10;
+      slice1winner2_cost_0_0 <= slice1winner1_cost_0_1 when slice1winner2_cost_0_0_is_less else slice1winner1_cost_0_0;
+      slice1winner2_cost_0_1 <= slice1winner1_cost_0_3 when slice1winner2_cost_0_1_is_less else slice1winner1_cost_0_2;
+      slice1winner2_cost_0_2 <= slice1winner1_cost_0_5 when slice1winner2_cost_0_2_is_less else slice1winner1_cost_0_4;
+      slice1winner2_cost_0_3 <= slice1winner1_cost_0_7 when slice1winner2_cost_0_3_is_less else slice1winner1_cost_0_6;
+      slice1winner2_cost_0_4 <= slice1winner1_cost_0_9 when slice1winner2_cost_0_4_is_less else slice1winner1_cost_0_8;
+      slice1winner2_cost_0_5 <= slice1winner1_cost_0_11 when slice1winner2_cost_0_5_is_less else
+        slice1winner1_cost_0_10;
+      slice1winner2_cost_0_6 <= slice1winner1_cost_0_12;
+      slice1winner2_index_0_0 <= slice1winner1_index_0_1 when slice1winner2_cost_0_0_is_less else
+        as_number(slice1winner1_index_0_0);
+      slice1winner2_index_0_1 <= slice1winner1_index_0_3 when slice1winner2_cost_0_1_is_less else
+        slice1winner1_index_0_2;
+      slice1winner2_index_0_2 <= slice1winner1_index_0_5 when slice1winner2_cost_0_2_is_less else
+        slice1winner1_index_0_4;
+      slice1winner2_index_0_3 <= slice1winner1_index_0_7 when slice1winner2_cost_0_3_is_less else
+        slice1winner1_index_0_6;
+      slice1winner2_index_0_4 <= slice1winner1_index_0_9 when slice1winner2_cost_0_4_is_less else
+        slice1winner1_index_0_8;
+      slice1winner2_index_0_5 <= slice1winner1_index_0_11 when slice1winner2_cost_0_5_is_less else
+        slice1winner1_index_0_10;
+      -- slice1winner3
+      slice1winner3_cost_0_0_is_less := slice1winner2_cost_0_1 < slice1winner2_cost_0_0;
+      slice1winner3_cost_0_1_is_less := slice1winner2_cost_0_3 < slice1winner2_cost_0_2;
+      slice1winner3_cost_0_2_is_less := slice1winner2_cost_0_5 < slice1winner2_cost_0_4;
+      slice1winner3_cost_0_0 <= slice1winner2_cost_0_1 when slice1winner3_cost_0_0_is_less else slice1winner2_cost_0_0;
+      slice1winner3_cost_0_1 <= slice1winner2_cost_0_3 when slice1winner3_cost_0_1_is_less else slice1winner2_cost_0_2;
+      slice1winner3_cost_0_2 <= slice1winner2_cost_0_5 when slice1winner3_cost_0_2_is_less else slice1winner2_cost_0_4;
+      slice1winner3_cost_0_3 <= slice1winner2_cost_0_6;
+      slice1winner3_index_0_0 <= slice1winner2_index_0_1 when slice1winner3_cost_0_0_is_less else
+        slice1winner2_index_0_0;
+      slice1winner3_index_0_1 <= slice1winner2_index_0_3 when slice1winner3_cost_0_1_is_less else
+        slice1winner2_index_0_2;
+      slice1winner3_index_0_2 <= slice1winner2_index_0_5 when slice1winner3_cost_0_2_is_less else
+        slice1winner2_index_0_4;
+      -- slice1winner4
+      slice1winner4_cost_0_0_is_less := slice1winner3_cost_0_1 < slice1winner3_cost_0_0;
+      slice1winner4_cost_0_1_is_less := slice1winner3_cost_0_3 < slice1winner3_cost_0_2;
+      slice1winner4_cost_0_0 <= slice1winner3_cost_0_1 when slice1winner4_cost_0_0_is_less else slice1winner3_cost_0_0;
+      slice1winner4_cost_0_1 <= slice1winner3_cost_0_3 when slice1winner4_cost_0_1_is_less else slice1winner3_cost_0_2;
+      slice1winner4_index_0_0 <= slice1winner3_index_0_1 when slice1winner4_cost_0_0_is_less else
+        slice1winner3_index_0_0;
+      slice1winner4_index_0_1 <= slice0winner3_index_0_3 when slice1winner4_cost_0_1_is_less else
+        slice1winner3_index_0_2;
+      -- slice1winner5
+      slice1winner5_cost_0_0 <= slice1winner4_cost_0_0 when slice1winner4_cost_0_0 < slice1winner4_cost_0_1 else
+        slice1winner4_cost_0_1;
+      slice1winner5_index_0_0 <= slice1winner4_index_0_1 when slice1winner4_cost_0_1 < slice1winner4_cost_0_0 else
+        slice1winner4_index_0_0;
+      -- slice1best
+      slice1best_cost_0_is_less := slice0best_cost_0 < slice1winner5_cost_0_0;
+      slice1best_cost_0 <= slice0best_cost_0 when slice1best_cost_0_is_less else slice1winner5_cost_0_0;
+      slice1best_disparity_0 <= slice0best_disparity_0 when slice1best_cost_0_is_less else (((slice1winner5_index_0_0 /
+        2) + 25) * 2) + (slice1winner5_index_0_0 mod 2);
+      slice1best_tag_valid <= slice0best_tag_valid;
+      slice1best_tag_output_column <= slice0best_tag_output_column;
+      slice1best_tag_start_of_frame <= slice0best_tag_start_of_frame;
+      slice1best_tag_end_of_line <= slice0best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_left_0_0 <= slice2shift_left_0_1;
+        slice2shift_left_0_1 <= slice2shift_left_0_2;
+        slice2shift_left_0_2 <= slice2shift_left_0_3;
+        slice2shift_left_0_3 <= slice2shift_left_0_4;
+        slice2shift_left_0_4 <= slice2shift_left_0_5;
+        slice2shift_left_0_5 <= slice2shift_left_0_6;
+        slice2shift_left_0_6 <= slice2shift_left_0_7;
+        slice2shift_left_0_7 <= slice2shift_left_0_8;
+        slice2shift_left_0_8 <= slice2shift_left_0_9;
+        slice2shift_left_0_9 <= slice2shift_left_0_10;
+        slice2shift_left_0_10 <= slice2shift_left_0_11;
+        slice2shift_left_0_11 <= slice2shift_left_0_12;
+        slice2shift_left_0_12 <= slice2shift_left_0_13;
+        slice2shift_left_0_13 <= slice2shift_left_0_14;
+        slice2shift_left_0_14 <= slice2shift_left_0_15;
+        slice2shift_left_0_15 <= slice2shift_left_0_16;
+        slice2shift_left_0_16 <= slice2shift_left_0_17;
+        slice2shift_left_0_17 <= slice2shift_left_0_18;
+        slice2shift_left_0_18 <= slice2shift_left_0_19;
+        slice2shift_left_0_19 <= slice2shift_left_0_20;
+        slice2shift_left_0_20 <= slice2shift_left_0_21;
+        slice2shift_left_0_21 <= slice2shift_left_0_22;
+        slice2shift_left_0_22 <= slice2shift_left_0_23;
+        slice2shift_left_0_23 <= slice2shift_left_0_24;
+        slice2shift_left_0_24 <= slice1shift_left_out_0;
+        slice2shift_left_1_0 <= slice2shift_left_1_1;
+        slice2shift_left_1_1 <= slice2shift_left_1_2;
+        slice2shift_left_1_2 <= slice2shift_left_1_3;
+        slice2shift_left_1_3 <= slice2shift_left_1_4;
+        slice2shift_left_1_4 <= slice2shift_left_1_5;
+        slice2shift_left_1_5 <= slice2shift_left_1_6;
+        slice2shift_left_1_6 <= slice2shift_left_1_7;
+        slice2shift_left_1_7 <= slice2shift_left_1_8;
+        slice2shift_left_1_8 <= slice2shift_left_1_9;
+        slice2shift_left_1_9 <= slice2shift_left_1_10;
+        slice2shift_left_1_10 <= slice2shift_left_1_11;
+        slice2shift_left_1_11 <= slice2shift_left_1_12;
+        slice2shift_left_1_12 <= slice2shift_left_1_13;
+        slice2shift_left_1_13 <= slice2shift_left_1_14;
+        slice2shift_left_1_14 <= slice2shift_left_1_15;
+        slice2shift_left_1_15 <= slice2shift_left_1_16;
+        slice2shift_left_1_16 <= slice2shift_left_1_17;
+        slice2shift_left_1_17 <= slice2shift_left_1_18;
+        slice2shift_left_1_18 <= slice2shift_left_1_19;
+        slice2shift_left_1_19 <= slice2shift_left_1_20;
+        slice2shift_left_1_20 <= slice2shift_left_1_21;
+        slice2shift_left_1_21 <= slice2shift_left_1_22;
+        slice2shift_left_1_22 <= slice2shift_left_1_23;
+        slice2shift_left_1_23 <= slice2shift_left_1_24;
+        slice2shift_left_1_24 <= slice1shift_left_out_1;
+        slice2shift_left_2_0 <= slice2shift_left_2_1;
+        slice2shift_left_2_1 <= slice2shift_left_2_2;
+        slice2shift_left_2_2 <= slice2shift_left_2_3;
+        slice2shift_left_2_3 <= slice2shift_left_2_4;
+        slice2shift_left_2_4 <= slice2shift_left_2_5;
+        slice2shift_left_2_5 <= slice2shift_left_2_6;
+        slice2shift_left_2_6 <= slice2shift_left_2_7;
+        slice2shift_left_2_7 <= slice2shift_left_2_8;
+        slice2shift_left_2_8 <= slice2shift_left_2_9;
+        slice2shift_left_2_9 <= slice2shift_left_2_10;
+        slice2shift_left_2_10 <= slice2shift_left_2_11;
+        slice2shift_left_2_11 <= slice2shift_left_2_12;
+        slice2shift_left_2_12 <= slice2shift_left_2_13;
+        slice2shift_left_2_13 <= slice2shift_left_2_14;
+        slice2shift_left_2_14 <= slice2shift_left_2_15;
+        slice2shift_left_2_15 <= slice2shift_left_2_16;
+        slice2shift_left_2_16 <= slice2shift_left_2_17;
+        slice2shift_left_2_17 <= slice2shift_left_2_18;
+        slice2shift_left_2_18 <= slice2shift_left_2_19;
+        slice2shift_left_2_19 <= slice2shift_left_2_20;
+        slice2shift_left_2_20 <= slice2shift_left_2_21;
+        slice2shift_left_2_21 <= slice2shift_left_2_22;
+        slice2shift_left_2_22 <= slice2shift_left_2_23;
+        slice2shift_left_2_23 <= slice2shift_left_2_24;
+        slice2shift_left_2_24 <= slice1shift_left_out_2;
+      end if;
+      slice2shift_right_0 <= slice1shift_right_0;
+      slice2shift_right_1 <= slice1shift_right_1;
+      slice2shift_right_2 <= slice1shift_right_2;
+      slice2shift_left_out_0 <= slice2shift_left_0_0;
+      slice2shift_left_out_1 <= slice2shift_left_1_0;
+      slice2shift_left_out_2 <= slice2shift_left_2_0;
+      -- slice2cost
+      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
+        positive_part(slice2cost_difference_2_0);
+      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
+        positive_part(slice2cost_difference_2_1);
+      slice2cost_pair_0_2_choice := slice2cost_reverse_0_2 when slice2cost_difference_2_2 < 0 else
+        positive_part(slice2cost_difference_2_2);
+      slice2cost_pair_0_3_choice := slice2cost_reverse_0_3 when slice2cost_difference_2_3 < 0 else
+        positive_part(slice2cost_difference_2_3);
+      slice2cost_pair_0_4_choice := slice2cost_reverse_0_4 when slice2cost_difference_2_4 < 0 else
+        positive_part(slice2cost_difference_2_4);
+      slice2cost_pair_0_5_choice := slice2cost_reverse_0_5 when slice2cost_difference_2_5 < 0 else
+        positive_part(slice2cost_difference_2_5);
+      slice2cost_pair_0_6_choice := slice2cost_reverse_0_6 when slice2cost_difference_2_6 < 0 else
+        positive_part(slice2cost_difference_2_6);
+      slice2cost_pair_0_7_choice := slice2cost_reverse_0_7 when slice2cost_difference_2_7 < 0 else
+        positive_part(slice2cost_difference_2_7);
+      slice2cost_pair_0_8_choice := slice2cost_reverse_0_8 when slice2cost_difference_2_8 < 0 else
+        positive_part(slice2cost_difference_2_8);
+      slice2cost_pair_0_9_choice := slice2cost_reverse_0_9 when slice2cost_difference_2_9 < 0 else
+        positive_part(slice2cost_difference_2_9);
+      slice2cost_pair_0_10_choice := slice2cost_reverse_0_10 when slice2cost_difference_2_10 < 0 else
+        positive_part(slice2cost_difference_2_10);
+      slice2cost_pair_0_11_choice := slice2cost_reverse_0_11 when slice2cost_difference_2_11 < 0 else
+        positive_part(slice2cost_difference_2_11);
+      slice2cost_pair_0_12_choice := slice2cost_reverse_0_12 when slice2cost_difference_2_12 < 0 else
+        positive_part(slice2cost_difference_2_12);
+      slice2cost_pair_0_13_choice := slice2cost_reverse_0_13 when slice2cost_difference_2_13 < 0 else
+        positive_part(slice2cost_difference_2_13);
+      slice2cost_pair_0_14_choice := slice2cost_reverse_0_14 when slice2cost_difference_2_14 < 0 else
+        positive_part(slice2cost_difference_2_14);
+      slice2cost_pair_0_15_choice := slice2cost_reverse_0_15 when slice2cost_difference_2_15 < 0 else
+        positive_part(slice2cost_difference_2_15);
+      slice2cost_pair_0_16_choice := slice2cost_reverse_0_16 when slice2cost_difference_2_16 < 0 else
+        positive_part(slice2cost_difference_2_16);
+      slice2cost_pair_0_17_choice := slice2cost_reverse_0_17 when slice2cost_difference_2_17 < 0 else
+        positive_part(slice2cost_difference_2_17);
+      slice2cost_pair_0_18_choice := slice2cost_reverse_0_18 when slice2cost_difference_2_18 < 0 else
+        positive_part(slice2cost_difference_2_18);
+      slice2cost_pair_0_19_choice := slice2cost_reverse_0_19 when slice2cost_difference_2_19 < 0 else
+        positive_part(slice2cost_difference_2_19);
+      slice2cost_pair_0_20_choice := slice2cost_reverse_0_20 when slice2cost_difference_2_20 < 0 else
+        positive_part(slice2cost_difference_2_20);
+      slice2cost_pair_0_21_choice := slice2cost_reverse_0_21 when slice2cost_difference_2_21 < 0 else
+        positive_part(slice2cost_difference_2_21);
+      slice2cost_pair_0_22_choice := slice2cost_reverse_0_22 when slice2cost_difference_2_22 < 0 else
+        positive_part(slice2cost_difference_2_22);
+      slice2cost_pair_0_23_choice := slice2cost_reverse_0_23 when slice2cost_difference_2_23 < 0 else
+        positive_part(slice2cost_difference_2_23);
+      slice2cost_pair_0_24_choice := slice2cost_reverse_0_24 when slice2cost_difference_2_24 < 0 else
+        positive_part(slice2cost_difference_2_24);
+      slice2cost_difference_0_0 <= slice2shift_left_0_0 - slice2shift_right_0;
+      slice2cost_difference_0_1 <= slice2shift_left_0_1 - slice2shift_right_0;
+      slice2cost_difference_0_2 <= slice2shift_left_0_2 - slice2shift_right_0;
+      slice2cost_difference_0_3 <= slice2shift_left_0_3 - slice2shift_right_0;
+      slice2cost_difference_0_4 <= slice2shift_left_0_4 - slice2shift_right_0;
+      slice2cost_difference_0_5 <= slice2shift_left_0_5 - slice2shift_right_0;
+      slice2cost_difference_0_6 <= slice2shift_left_0_6 - slice2shift_right_0;
+      slice2cost_difference_0_7 <= slice2shift_left_0_7 - slice2shift_right_0;
+      slice2cost_difference_0_8 <= slice2shift_left_0_8 - slice2shift_right_0;
+      slice2cost_difference_0_9 <= slice2shift_left_0_9 - slice2shift_right_0;
+      slice2cost_difference_0_10 <= slice2shift_left_0_10 - slice2shift_right_0;
+      slice2cost_difference_0_11 <= slice2shift_left_0_11 - slice2shift_right_0;
+      slice2cost_difference_0_12 <= slice2shift_left_0_12 - slice2shift_right_0;
+      slice2cost_difference_0_13 <= slice2shift_left_0_13 - slice2shift_right_0;
+      slice2cost_difference_0_14 <= slice2shift_left_0_14 - slice2shift_right_0;
+      slice2cost_difference_0_15 <= slice2shift_left_0_15 - slice2shift_right_0;
+      slice2cost_difference_0_16 <= slice2shift_left_0_16 - slice2shift_right_0;
+      slice2cost_difference_0_17 <= slice2shift_left_0_17 - slice2shift_right_0;
+      slice2cost_difference_0_18 <= slice2shift_left_0_18 - slice2shift_right_0;
+      slice2cost_difference_0_19 <= slice2shift_left_0_19 - slice2shift_right_0;
+      slice2cost_difference_0_20 <= slice2shift_left_0_20 - slice2shift_right_0;
+      slice2cost_difference_0_21 <= slice2shift_left_0_21 - slice2shift_right_0;
+      slice2cost_difference_0_22 <= slice2shift_left_0_22 - slice2shift_right_0;
+      slice2cost_difference_0_23 <= slice2shift_left_0_23 - slice2shift_right_0;
+      slice2cost_difference_0_24 <= slice2shift_left_0_24 - slice2shift_right_0;
+      slice2cost_difference_1_0 <= slice2shift_left_1_0 - slice2shift_right_1;
+      slice2cost_difference_1_1 <= slice2shift_left_1_1 - slice2shift_right_1;
+      slice2cost_difference_1_2 <= slice2shift_left_1_2 - slice2shift_right_1;
+      slice2cost_difference_1_3 <= slice2shift_left_1_3 - slice2shift_right_1;
+      slice2cost_difference_1_4 <= slice2shift_left_1_4 - slice2shift_right_1;
+      slice2cost_difference_1_5 <= slice2shift_left_1_5 - slice2shift_right_1;
+      slice2cost_difference_1_6 <= slice2shift_left_1_6 - slice2shift_right_1;
+      slice2cost_difference_1_7 <= slice2shift_left_1_7 - slice2shift_right_1;
+      slice2cost_difference_1_8 <= slice2shift_left_1_8 - slice2shift_right_1;
+      slice2cost_difference_1_9 <= slice2shift_left_1_9 - slice2shift_right_1;
+      slice2cost_difference_1_10 <= slice2shift_left_1_10 - slice2shift_right_1;
+      slice2cost_difference_1_11 <= slice2shift_left_1_11 - slice2shift_right_1;
+      slice2cost_difference_1_12 <= slice2shift_left_1_12 - slice2shift_right_1;
+      slice2cost_difference_1_13 <= slice2shift_left_1_13 - slice2shift_right_1;
+      slice2cost_difference_1_14 <= slice2shift_left_1_14 - slice2shift_right_1;
+      slice2cost_difference_1_15 <= slice2shift_left_1_15 - slice2shift_right_1;
+      slice2cost_difference_1_16 <= slice2shift_left_1_16 - slice2shift_right_1;
+      slice2cost_difference_1_17 <= slice2shift_left_1_17 - slice2shift_right_1;
+      slice2cost_difference_1_18 <= slice2shift_left_1_18 - slice2shift_right_1;
+      slice2cost_difference_1_19 <= slice2shift_left_1_19 - slice2shift_right_1;
+      slice2cost_difference_1_20 <= slice2shift_left_1_20 - slice2shift_right_1;
+      slice2cost_difference_1_21 <= slice2shift_left_1_21 - slice2shift_right_1;
+      slice2cost_difference_1_22 <= slice2shift_left_1_22 - slice2shift_right_1;
+      slice2cost_difference_1_23 <= slice2shift_left_1_23 - slice2shift_right_1;
+      slice2cost_difference_1_24 <= slice2shift_left_1_24 - slice2shift_right_1;
+      slice2cost_difference_2_0 <= slice2shift_left_2_0 - slice2shift_right_2;
+      slice2cost_difference_2_1 <= slice2shift_left_2_1 - slice2shift_right_2;
+      slice2cost_difference_2_2 <= slice2shift_left_2_2 - slice2shift_right_2;
+      slice2cost_difference_2_3 <= slice2shift_left_2_3 - slice2shift_right_2;
+      slice2cost_difference_2_4 <= slice2shift_left_2_4 - slice2shift_right_2;
+      slice2cost_difference_2_5 <= slice2shift_left_2_5 - slice2shift_right_2;
+      slice2cost_difference_2_6 <= slice2shift_left_2_6 - slice2shift_right_2;
+      slice2cost_difference_2_7 <= slice2shift_left_2_7 - slice2shift_right_2;
+      slice2cost_difference_2_8 <= slice2shift_left_2_8 - slice2shift_right_2;
+      slice2cost_difference_2_9 <= slice2shift_left_2_9 - slice2shift_right_2;
+      slice2cost_difference_2_10 <= slice2shift_left_2_10 - slice2shift_right_2;
+      slice2cost_difference_2_11 <= slice2shift_left_2_11 - slice2shift_right_2;
+      slice2cost_difference_2_12 <= slice2shift_left_2_12 - slice2shift_right_2;
+      slice2cost_difference_2_13 <= slice2shift_left_2_13 - slice2shift_right_2;
+      slice2cost_difference_2_14 <= slice2shift_left_2_14 - slice2shift_right_2;
+      slice2cost_difference_2_15 <= slice2shift_left_2_15 - slice2shift_right_2;
+      slice2cost_difference_2_16 <= slice2shift_left_2_16 - slice2shift_right_2;
+      slice2cost_difference_2_17 <= slice2shift_left_2_17 - slice2shift_right_2;
+      slice2cost_difference_2_18 <= slice2shift_left_2_18 - slice2shift_right_2;
+      slice2cost_difference_2_19 <= slice2shift_left_2_19 - slice2shift_right_2;
+      slice2cost_difference_2_20 <= slice2shift_left_2_20 - slice2shift_right_2;
+      slice2cost_difference_2_21 <= slice2shift_left_2_21 - slice2shift_right_2;
+      slice2cost_difference_2_22 <= slice2shift_left_2_22 - slice2shift_right_2;
+      slice2cost_difference_2_23 <= slice2shift_left_2_23 - slice2shift_right_2;
+      slice2cost_difference_2_24 <= slice2shift_left_2_24 - slice2shift_right_2;
+      slice2cost_reverse_0_0 <= (slice2shift_right_2 - slice2shift_left_2_0) mod 256;
+      slice2cost_reverse_0_1 <= (slice2shift_right_2 - slice2shift_left_2_1) mod 256;
+      slice2cost_reverse_0_2 <= (slice2shift_right_2 - slice2shift_left_2_2) mod 256;
+      slice2cost_reverse_0_3 <= (slice2shift_right_2 - slice2shift_left_2_3) mod 256;
+      slice2cost_reverse_0_4 <= (slice2shift_right_2 - slice2shift_left_2_4) mod 256;
+      slice2cost_reverse_0_5 <= (slice2shift_right_2 - slice2shift_left_2_5) mod 256;
+      slice2cost_reverse_0_6 <= (slice2shift_right_2 - slice2shift_left_2_6) mod 256;
+      slice2cost_reverse_0_7 <= (slice2shift_right_2 - slice2shift_left_2_7) mod 256;
+      slice2cost_reverse_0_8 <= (slice2shift_right_2 - slice2shift_left_2_8) mod 256;
+      slice2cost_reverse_0_9 <= (slice2shift_right_2 - slice2shift_left_2_9) mod 256;
+      slice2cost_reverse_0_10 <= (slice2shift_right_2 - slice2shift_left_2_10) mod 256;
+      slice2cost_reverse_0_11 <= (slice2shift_right_2 - slice2shift_left_2_11) mod 256;
+      slice2cost_reverse_0_12 <= (slice2shift_right_2 - slice2shift_left_2_12) mod 256;
+      slice2cost_reverse_0_13 <= (slice2shift_right_2 - slice2shift_left_2_13) mod 256;
+      slice2cost_reverse_0_14 <= (slice2shift_right_2 - slice2shift_left_2_14) mod 256;
+      slice2cost_reverse_0_15 <= (slice2shift_right_2 - slice2shift_left_2_15) mod 256;
+      slice2cost_reverse_0_16 <= (slice2shift_right_2 - slice2shift_left_2_16) mod 256;
+      slice2cost_reverse_0_17 <= (slice2shift_right_2 - slice2shift_left_2_17) mod 256;
+      slice2cost_reverse_0_18 <= (slice2shift_right_2 - slice2shift_left_2_18) mod 256;
+      slice2cost_reverse_0_19 <= (slice2shift_right_2 - slice2shift_left_2_19) mod 256;
+      slice2cost_reverse_0_20 <= (slice2shift_right_2 - slice2shift_left_2_20) mod 256;
+      slice2cost_reverse_0_21 <= (slice2shift_right_2 - slice2shift_left_2_21) mod 256;
+      slice2cost_reverse_0_22 <= (slice2shift_right_2 - slice2shift_left_2_22) mod 256;
+      slice2cost_reverse_0_23 <= (slice2shift_right_2 - slice2shift_left_2_23) mod 256;
+      slice2cost_reverse_0_24 <= (slice2shift_right_2 - slice2shift_left_2_24) mod 256;
+      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
+        as_number((slice2cost_difference_1_0 < 0));
+      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
+        as_number((slice2cost_difference_1_1 < 0));
+      slice2cost_pair_0_2 <= slice2cost_pair_0_2_choice + folded(slice2cost_difference_1_2) +
+        as_number((slice2cost_difference_1_2 < 0));
+      slice2cost_pair_0_3 <= slice2cost_pair_0_3_choice + folded(slice2cost_difference_1_3) +
+        as_number((slice2cost_difference_1_3 < 0));
+      slice2cost_pair_0_4 <= slice2cost_pair_0_4_choice + folded(slice2cost_difference_1_4) +
+        as_number((slice2cost_difference_1_4 < 0));
+      slice2cost_pair_0_5 <= slice2cost_pair_0_5_choice + folded(slice2cost_difference_1_5) +
+        as_number((slice2cost_difference_1_5 < 0));
+      slice2cost_pair_0_6 <= slice2cost_pair_0_6_choice + folded(slice2cost_difference_1_6) +
+        as_number((slice2cost_difference_1_6 < 0));
+      slice2cost_pair_0_7 <= slice2cost_pair_0_7_choice + folded(slice2cost_difference_1_7) +
+        as_number((slice2cost_difference_1_7 < 0));
+      slice2cost_pair_0_8 <= slice2cost_pair_0_8_choice + folded(slice2cost_difference_1_8) +
+        as_number((slice2cost_difference_1_8 < 0));
+      slice2cost_pair_0_9 <= slice2cost_pair_0_9_choice + folded(slice2cost_difference_1_9) +
+        as_number((slice2cost_difference_1_9 < 0));
+      slice2cost_pair_0_10 <= slice2cost_pair_0_10_choice + folded(slice2cost_difference_1_10) +
+        as_number((slice2cost_difference_1_10 < 0));
+      slice2cost_pair_0_11 <= slice2cost_pair_0_11_choice + folded(slice2cost_difference_1_11) +
+        as_number((slice2cost_difference_1_11 < 0));
+      slice2cost_pair_0_12 <= slice2cost_pair_0_12_choice + folded(slice2cost_difference_1_12) +
+        as_number((slice2cost_difference_1_12 < 0));
+      slice2cost_pair_0_13 <= slice2cost_pair_0_13_choice + folded(slice2cost_difference_1_13) +
+        as_number((slice2cost_difference_1_13 < 0));
+      slice2cost_pair_0_14 <= slice2cost_pair_0_14_choice + folded(slice2cost_difference_1_14) +
+        as_number((slice2cost_difference_1_14 < 0));
+      slice2cost_pair_0_15 <= slice2cost_pair_0_15_choice + folded(slice2cost_difference_1_15) +
+        as_number((slice2cost_difference_1_15 < 0));
+      slice2cost_pair_0_16 <= slice2cost_pair_0_16_choice + folded(slice2cost_difference_1_16) +
+        as_number((slice2cost_difference_1_16 < 0));
+      slice2cost_pair_0_17 <= slice2cost_pair_0_17_choice + folded(slice2cost_difference_1_17) +
+        as_number((slice2cost_difference_1_17 < 0));
+      slice2cost_pair_0_18 <= slice2cost_pair_0_18_choice + folded(slice2cost_difference_1_18) +
+        as_number((slice2cost_difference_1_18 < 0));
+      slice2cost_pair_0_19 <= slice2cost_pair_0_19_choice + folded(slice2cost_difference_1_19) +
+        as_number((slice2cost_difference_1_19 < 0));
+      slice2cost_pair_0_20 <= slice2cost_pair_0_20_choice + folded(slice2cost_difference_1_20) +
+        as_number((slice2cost_difference_1_20 < 0));
+      slice2cost_pair_0_21 <= slice2cost_pair_0_21_choice + folded(slice2cost_difference_1_21) +
+        as_number((slice2cost_difference_1_21 < 0));
+      slice2cost_pair_0_22 <= slice2cost_pair_0_22_choice + folded(slice2cost_difference_1_22) +
+        as_number((slice2cost_difference_1_22 < 0));
+      slice2cost_pair_0_23 <= slice2cost_pair_0_23_choice + folded(slice2cost_difference_1_23) +
+        as_number((slice2cost_difference_1_23 < 0));
+      slice2cost_pair_0_24 <= slice2cost_pair_0_24_choice + folded(slice2cost_difference_1_24) +
+        as_number((slice2cost_difference_1_24 < 0));
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
+      slice2cost_single_0_2 <= folded(slice2cost_difference_0_2);
+      slice2cost_single_0_3 <= folded(slice2cost_difference_0_3);
+      slice2cost_single_0_4 <= folded(slice2cost_difference_0_4);
+      slice2cost_single_0_5 <= folded(slice2cost_difference_0_5);
+      slice2cost_single_0_6 <= folded(slice2cost_difference_0_6);
+      slice2cost_single_0_7 <= folded(slice2cost_difference_0_7);
+      slice2cost_single_0_8 <= folded(slice2cost_difference_0_8);
+      slice2cost_single_0_9 <= folded(slice2cost_difference_0_9);
+      slice2cost_single_0_10 <= folded(slice2cost_difference_0_10);
+      slice2cost_single_0_11 <= folded(slice2cost_difference_0_11);
+      slice2cost_single_0_12 <= folded(slice2cost_difference_0_12);
+      slice2cost_single_0_13 <= folded(slice2cost_difference_0_13);
+      slice2cost_single_0_14 <= folded(slice2cost_difference_0_14);
+      slice2cost_single_0_15 <= folded(slice2cost_difference_0_15);
+      slice2cost_single_0_16 <= folded(slice2cost_difference_0_16);
+      slice2cost_single_0_17 <= folded(slice2cost_difference_0_17);
+      slice2cost_single_0_18 <= folded(slice2cost_difference_0_18);
+      slice2cost_single_0_19 <= folded(slice2cost_difference_0_19);
+      slice2cost_single_0_20 <= folded(slice2cost_difference_0_20);
+      slice2cost_single_0_21 <= folded(slice2cost_difference_0_21);
+      slice2cost_single_0_22 <= folded(slice2cost_difference_0_22);
+      slice2cost_single_0_23 <= folded(slice2cost_difference_0_23);
+      slice2cost_single_0_24 <= folded(slice2cost_difference_0_24);
+      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_negative_0_2 <= slice2cost_difference_0_2 < 0;
+      slice2cost_negative_0_3 <= slice2cost_difference_0_3 < 0;
+      slice2cost_negative_0_4 <= slice2cost_difference_0_4 < 0;
+      slice2cost_negative_0_5 <= slice2cost_difference_0_5 < 0;
+      slice2cost_negative_0_6 <= slice2cost_difference_0_6 < 0;
+      slice2cost_negative_0_7 <= slice2cost_difference_0_7 < 0;
+      slice2cost_negative_0_8 <= slice2cost_difference_0_8 < 0;
+      slice2cost_negative_0_9 <= slice2cost_difference_0_9 < 0;
+      slice2cost_negative_0_10 <= slice2cost_difference_0_10 < 0;
+      slice2cost_negative_0_11 <= slice2cost_difference_0_11 < 0;
+      slice2cost_negative_0_12 <= slice2cost_difference_0_12 < 0;
+      slice2cost_negative_0_13 <= slice2cost_difference_0_13 < 0;
+      slice2cost_negative_0_14 <= slice2cost_difference_0_14 < 0;
+      slice2cost_negative_0_15 <= slice2cost_difference_0_15 < 0;
+      slice2cost_negative_0_16 <= slice2cost_difference_0_16 < 0;
+      slice2cost_negative_0_17 <= slice2cost_difference_0_17 < 0;
+      slice2cost_negative_0_18 <= slice2cost_difference_0_18 < 0;
+      slice2cost_negative_0_19 <= slice2cost_difference_0_19 < 0;
+      slice2cost_negative_0_20 <= slice2cost_difference_0_20 < 0;
+      slice2cost_negative_0_21 <= slice2cost_difference_0_21 < 0;
+      slice2cost_negative_0_22 <= slice2cost_difference_0_22 < 0;
+      slice2cost_negative_0_23 <= slice2cost_difference_0_23 < 0;
+      slice2cost_negative_0_24 <= slice2cost_difference_0_24 < 0;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
+        slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
+        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_2) +
+        slice2cost_pair_0_2 + slice2cost_single_0_2;
+      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_3) +
+        slice2cost_pair_0_3 + slice2cost_single_0_3;
+      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_4) +
+        slice2cost_pair_0_4 + slice2cost_single_0_4;
+      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_5) +
+        slice2cost_pair_0_5 + slice2cost_single_0_5;
+      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_6) +
+        slice2cost_pair_0_6 + slice2cost_single_0_6;
+      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_7) +
+        slice2cost_pair_0_7 + slice2cost_single_0_7;
+      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_8) +
+        slice2cost_pair_0_8 + slice2cost_single_0_8;
+      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_9) +
+        slice2cost_pair_0_9 + slice2cost_single_0_9;
+      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_10) +
+        slice2cost_pair_0_10 + slice2cost_single_0_10;
+      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_11) +
+        slice2cost_pair_0_11 + slice2cost_single_0_11;
+      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_12) +
+        slice2cost_pair_0_12 + slice2cost_single_0_12;
+      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_13) +
+        slice2cost_pair_0_13 + slice2cost_single_0_13;
+      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_14) +
+        slice2cost_pair_0_14 + slice2cost_single_0_14;
+      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_15) +
+        slice2cost_pair_0_15 + slice2cost_single_0_15;
+      slice2cost_column_0_16 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_16) +
+        slice2cost_pair_0_16 + slice2cost_single_0_16;
+      slice2cost_column_0_17 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_17) +
+        slice2cost_pair_0_17 + slice2cost_single_0_17;
+      slice2cost_column_0_18 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_18) +
+        slice2cost_pair_0_18 + slice2cost_single_0_18;
+      slice2cost_column_0_19 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_19) +
+        slice2cost_pair_0_19 + slice2cost_single_0_19;
+      slice2cost_column_0_20 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_20) +
+        slice2cost_pair_0_20 + slice2cost_single_0_20;
+      slice2cost_column_0_21 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_21) +
+        slice2cost_pair_0_21 + slice2cost_single_0_21;
+      slice2cost_column_0_22 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_22) +
+        slice2cost_pair_0_22 + slice2cost_single_0_22;
+      slice2cost_column_0_23 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_23) +
+        slice2cost_pair_0_23 + slice2cost_single_0_23;
+      slice2cost_column_0_24 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_24) +
+        slice2cost_pair_0_24 + slice2cost_single_0_24;
+      slice2cost_tag_border_column <= slice1cost_tag_border_column;
+      -- slice2window
+      if slice0winner1_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_0_2 <= slice2cost_column_0_2;
+        slice2window_partial_0_0_3 <= slice2cost_column_0_3;
+        slice2window_partial_0_0_4 <= slice2cost_column_0_4;
+        slice2window_partial_0_0_5 <= slice2cost_column_0_5;
+        slice2window_partial_0_0_6 <= slice2cost_column_0_6;
+        slice2window_partial_0_0_7 <= slice2cost_column_0_7;
+        slice2window_partial_0_0_8 <= slice2cost_column_0_8;
+        slice2window_partial_0_0_9 <= slice2cost_column_0_9;
+        slice2window_partial_0_0_10 <= slice2cost_column_0_10;
+        slice2window_partial_0_0_11 <= slice2cost_column_0_11;
+        slice2window_partial_0_0_12 <= slice2cost_column_0_12;
+        slice2window_partial_0_0_13 <= slice2cost_column_0_13;
+        slice2window_partial_0_0_14 <= slice2cost_column_0_14;
+        slice2window_partial_0_0_15 <= slice2cost_column_0_15;
+        slice2window_partial_0_0_16 <= slice2cost_column_0_16;
+        slice2window_partial_0_0_17 <= slice2cost_column_0_17;
+        slice2window_partial_0_0_18 <= slice2cost_column_0_18;
+        slice2window_partial_0_0_19 <= slice2cost_column_0_19;
+        slice2window_partial_0_0_20 <= slice2cost_column_0_20;
+        slice2window_partial_0_0_21 <= slice2cost_column_0_21;
+        slice2window_partial_0_0_22 <= slice2cost_column_0_22;
+        slice2window_partial_0_0_23 <= slice2cost_column_0_23;
+        slice2window_partial_0_0_24 <= slice2cost_column_0_24;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_0_1_2 <= slice2cost_column_0_2 + slice2window_partial_0_0_2;
+        slice2window_partial_0_1_3 <= slice2cost_column_0_3 + slice2window_partial_0_0_3;
+        slice2window_partial_0_1_4 <= slice2cost_column_0_4 + slice2window_partial_0_0_4;
+        slice2window_partial_0_1_5 <= slice2cost_column_0_5 + slice2window_partial_0_0_5;
+        slice2window_partial_0_1_6 <= slice2cost_column_0_6 + slice2window_partial_0_0_6;
+        slice2window_partial_0_1_7 <= slice2cost_column_0_7 + slice2window_partial_0_0_7;
+        slice2window_partial_0_1_8 <= slice2cost_column_0_8 + slice2window_partial_0_0_8;
+        slice2window_partial_0_1_9 <= slice2cost_column_0_9 + slice2window_partial_0_0_9;
+        slice2window_partial_0_1_10 <= slice2cost_column_0_10 + slice2window_partial_0_0_10;
+        slice2window_partial_0_1_11 <= slice2cost_column_0_11 + slice2window_partial_0_0_11;
+        slice2window_partial_0_1_12 <= slice2cost_column_0_12 + slice2window_partial_0_0_12;
+        slice2window_partial_0_1_13 <= slice2cost_column_0_13 + slice2window_partial_0_0_13;
+        slice2window_partial_0_1_14 <= slice2cost_column_0_14 + slice2window_partial_0_0_14;
+        slice2window_partial_0_1_15 <= slice2cost_column_0_15 + slice2window_partial_0_0_15;
+        slice2window_partial_0_1_16 <= slice2cost_column_0_16 + slice2window_partial_0_0_16;
+        slice2window_partial_0_1_17 <= slice2cost_column_0_17 + slice2window_partial_0_0_17;
+        slice2window_partial_0_1_18 <= slice2cost_column_0_18 + slice2window_partial_0_0_18;
+        slice2window_partial_0_1_19 <= slice2cost_column_0_19 + slice2window_partial_0_0_19;
+        slice2window_partial_0_1_20 <= slice2cost_column_0_20 + slice2window_partial_0_0_20;
+        slice2window_partial_0_1_21 <= slice2cost_column_0_21 + slice2window_partial_0_0_21;
+        slice2window_partial_0_1_22 <= slice2cost_column_0_22 + slice2window_partial_0_0_22;
+        slice2window_partial_0_1_23 <= slice2cost_column_0_23 + slice2window_partial_0_0_23;
+        slice2window_partial_0_1_24 <= slice2cost_column_0_24 + slice2window_partial_0_0_24;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_0_2 <= slice2cost_column_0_2 + slice2window_partial_0_1_2;
+      slice2window_sum_0_3 <= slice2cost_column_0_3 + slice2window_partial_0_1_3;
+      slice2window_sum_0_4 <= slice2cost_column_0_4 + slice2window_partial_0_1_4;
+      slice2window_sum_0_5 <= slice2cost_column_0_5 + slice2window_partial_0_1_5;
+      slice2window_sum_0_6 <= slice2cost_column_0_6 + slice2window_partial_0_1_6;
+      slice2window_sum_0_7 <= slice2cost_column_0_7 + slice2window_partial_0_1_7;
+      slice2window_sum_0_8 <= slice2cost_column_0_8 + slice2window_partial_0_1_8;
+      slice2window_sum_0_9 <= slice2cost_column_0_9 + slice2window_partial_0_1_9;
+      slice2window_sum_0_10 <= slice2cost_column_0_10 + slice2window_partial_0_1_10;
+      slice2window_sum_0_11 <= slice2cost_column_0_11 + slice2window_partial_0_1_11;
+      slice2window_sum_0_12 <= slice2cost_column_0_12 + slice2window_partial_0_1_12;
+      slice2window_sum_0_13 <= slice2cost_column_0_13 + slice2window_partial_0_1_13;
+      slice2window_sum_0_14 <= slice2cost_column_0_14 + slice2window_partial_0_1_14;
+      slice2window_sum_0_15 <= slice2cost_column_0_15 + slice2window_partial_0_1_15;
+      slice2window_sum_0_16 <= slice2cost_column_0_16 + slice2window_partial_0_1_16;
+      slice2window_sum_0_17 <= slice2cost_column_0_17 + slice2window_partial_0_1_17;
+      slice2window_sum_0_18 <= slice2cost_column_0_18 + slice2window_partial_0_1_18;
+      slice2window_sum_0_19 <= slice2cost_column_0_19 + slice2window_partial_0_1_19;
+      slice2window_sum_0_20 <= slice2cost_column_0_20 + slice2window_partial_0_1_20;
+      slice2window_sum_0_21 <= slice2cost_column_0_21 + slice2window_partial_0_1_21;
+      slice2window_sum_0_22 <= slice2cost_column_0_22 + slice2window_partial_0_1_22;
+      slice2window_sum_0_23 <= slice2cost_column_0_23 + slice2window_partial_0_1_23;
+      slice2window_sum_0_24 <= slice2cost_column_0_24 + slice2window_partial_0_1_24;
+      -- slice2winner1
+      slice2winner1_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_cost_0_1_is_less := slice2window_sum_0_3 < slice2window_sum_0_2;
+      slice2winner1_cost_0_2_is_less := slice2window_sum_0_5 < slice2window_sum_0_4;
+      slice2winner1_cost_0_3_is_less := slice2window_sum_0_7 < slice2window_sum_0_6;
+      slice2winner1_cost_0_4_is_less := slice2window_sum_0_9 < slice2window_sum_0_8;
+      slice2winner1_cost_0_5_is_less := slice2window_sum_0_11 < slice2window_sum_0_10;
+      slice2winner1_cost_0_6_is_less := slice2window_sum_0_13 < slice2window_sum_0_12;
+      slice2winner1_cost_0_7_is_less := slice2window_sum_0_15 < slice2window_sum_0_14;
+      slice2winner1_cost_0_8_is_less := slice2window_sum_0_17 < slice2window_sum_0_16;
+      slice2winner1_cost_0_9_is_less := slice2window_sum_0_19 < slice2window_sum_0_18;
+      slice2winner1_cost_0_10_is_less := slice2window_sum_0_21 < slice2window_sum_0_20;
+      slice2winner1_cost_0_11_is_less := slice2window_sum_0_23 < slice2window_sum_0_22;
+      slice2winner1_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_cost_0_0_is_less else slice2window_sum_0_0;
+      slice2winner1_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_cost_0_1_is_less else slice2window_sum_0_2;
+      slice2winner1_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_cost_0_2_is_less else slice2window_sum_0_4;
+      slice2winner1_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_cost_0_3_is_less else slice2window_sum_0_6;
+      slice2winner1_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_cost_0_4_is_less else slice2window_sum_0_8;
+      slice2winner1_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_cost_0_5_is_less else slice2window_sum_0_10;
+      slice2winner1_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_cost_0_6_is_less else slice2window_sum_0_12;
+      slice2winner1_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_cost_0_7_is_less else slice2window_sum_0_14;
+      slice2winner1_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_cost_0_8_is_less else slice2window_sum_0_16;
+      slice2winner1_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_cost_0_9_is_less else slice2window_sum_0_18;
+      slice2winner1_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_cost_0_10_is_less else slice2window_sum_0_20;
+      slice2winner1_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_cost_0_11_is_less else slice2window_sum_0_22;
+      slice2winner1_cost_0_12 <= slice2window_sum_0_24;
+      slice2winner1_index_0_0 <= slice2winner1_cost_0_0_is_less;
+      slice2winner1_index_0_1 <= 3 when slice2winner1_cost_0_1_is_less else 2;
+      slice2winner1_index_0_2 <= 5 when slice2winner1_cost_0_2_is_less else 4;
+      slice2winner1_index_0_3 <= 7 when slice2winner1_cost_0_3_is_less else 6;
+      slice2winner1_index_0_4 <= 9 when slice2winner1_cost_0_4_is_less else 8;
+      slice2winner1_index_0_5 <= 11 when slice2winner1_cost_0_5_is_less else 10;
+      slice2winner1_index_0_6 <= 13 when slice2winner1_cost_0_6_is_less else 12;
+      slice2winner1_index_0_7 <= 15 when slice2winner1_cost_0_7_is_less else 14;
+      slice2winner1_index_0_8 <= 17 when slice2winner1_cost_0_8_is_less else 16;
+      slice2winner1_index_0_9 <= 19 when slice2winner1_cost_0_9_is_less else 18;
+      slice2winner1_index_0_10 <= 21 when slice2winner1_cost_0_10_is_less else 20;
+      slice2winner1_index_0_11 <= 23 when slice2winner1_cost_0_11_is_less else 22;
+      -- slice2winner2
+      slice2winner2_cost_0_0_is_less := slice2winner1_cost_0_1 < slice2winner1_cost_0_0;
+      slice2winner2_cost_0_1_is_less := slice2winner1_cost_0_3 < slice2winner1_cost_0_2;
+      slice2winner2_cost_0_2_is_less := slice2winner1_cost_0_5 < slice2winner1_cost_0_4;
+      slice2winner2_cost_0_3_is_less := slice2winner1_cost_0_7 < slice2winner1_cost_0_6;
+      slice2winner2_cost_0_4_is_less := slice2winner1_cost_0_9 < slice2winner1_cost_0_8;
+      slice2winner2_cost_0_5_is_less := slice2winner1_cost_0_11 < slice2winner1_cost_0_10;
+      slice2winner2_cost_0_0 <= slice2winner1_cost_0_1 when slice2winner2_cost_0_0_is_less else slice2winner1_cost_0_0;
+      slice2winner2_cost_0_1 <= slice2winner1_cost_0_3 when slice2winner2_cost_0_1_is_less else slice2winner1_cost_0_2;
+      slice2winner2_cost_0_2 <= slice2winner1_cost_0_5 when slice2winner2_cost_0_2_is_less else slice2winner1_cost_0_4;
+      slice2winner2_cost_0_3 <= slice2winner1_cost_0_7 when slice2winner2_cost_0_3_is_less else slice2winner1_cost_0_6;
+      slice2winner2_cost_0_4 <= slice2winner1_cost_0_9 when slice2winner2_cost_0_4_is_less else slice2winner1_cost_0_8;
+      slice2winner2_cost_0_5 <= slice2winner1_cost_0_11 when slice2winner2_cost_0_5_is_less else
+        slice2winner1_cost_0_10;
+      slice2winner2_cost_0_6 <= slice2winner1_cost_0_12;
+      slice2winner2_index_0_0 <= slice2winner1_index_0_1 when slice2winner2_cost_0_0_is_less else
+        as_number(slice2winner1_index_0_0);
+      slice2winner2_index_0_1 <= slice2winner1_index_0_3 when slice2winner2_cost_0_1_is_less else
+        slice2winner1_index_0_2;
+      slice2winner2_index_0_2 <= slice2winner1_index_0_5 when slice2winner2_cost_0_2_is_less else
+        slice2winner1_index_0_4;
+      slice2winner2_index_0_3 <= slice2winner1_index_0_7 when slice2winner2_cost_0_3_is_less else
+        slice2winner1_index_0_6;
+      slice2winner2_index_0_4 <= slice2winner1_index_0_9 when slice2winner2_cost_0_4_is_less else
+        slice2winner1_index_0_8;
+      slice2winner2_index_0_5 <= slice2winner1_index_0_11 when slice2winner2_cost_0_5_is_less else
+        slice2winner1_index_0_10;
+      -- slice2winner3
+      slice2winner3_cost_0_0_is_less := slice2winner2_cost_0_1 < slice2winner2_cost_0_0;
+      slice2winner3_cost_0_1_is_less := slice2winner2_cost_0_3 < slice2winner2_cost_0_2;
+      slice2winner3_cost_0_2_is_less := slice2winner2_cost_0_5 < slice2winner2_cost_0_4;
+      slice2winner3_cost_0_0 <= slice2winner2_cost_0_1 when slice2winner3_cost_0_0_is_less else slice2winner2_cost_0_0;
+      slice2winner3_cost_0_1 <= slice2winner2_cost_0_3 when slice2winner3_cost_0_1_is_less else slice2winner2_cost_0_2;
+      slice2winner3_cost_0_2 <= slice2winner2_cost_0_5 when slice2winner3_cost_0_2_is_less else slice2winner2_cost_0_4;
+      slice2winner3_cost_0_3 <= slice2winner2_cost_0_6;
+      slice2winner3_index_0_0 <= slice2winner2_index_0_1 when slice2winner3_cost_0_0_is_less else
+        slice2winner2_index_0_0;
+      slice2winner3_index_0_1 <= slice2winner2_index_0_3 when slice2winner3_cost_0_1_is_less else
+        slice2winner2_index_0_2;
+      slice2winner3_index_0_2 <= slice2winner2_index_0_5 when slice2winner3_cost_0_2_is_less else
+        slice2winner2_index_0_4;
+      -- slice2winner4
+      slice2winner4_cost_0_0_is_less := slice2winner3_cost_0_1 < slice2winner3_cost_0_0;
+      slice2winner4_cost_0_1_is_less := slice2winner3_cost_0_3 < slice2winner3_cost_0_2;
+      slice2winner4_cost_0_0 <= slice2winner3_cost_0_1 when slice2winner4_cost_0_0_is_less else slice2winner3_cost_0_0;
+      slice2winner4_cost_0_1 <= slice2winner3_cost_0_3 when slice2winner4_cost_0_1_is_less else slice2winner3_cost_0_2;
+      slice2winner4_index_0_0 <= slice2winner3_index_0_1 when slice2winner4_cost_0_0_is_less else
+        slice2winner3_index_0_0;
+      slice2winner4_index_0_1 <= slice0winner3_index_0_3 when slice2winner4_cost_0_1_is_less else
+        slice2winner3_index_0_2;
+      -- slice2winner5
+      slice2winner5_cost_0_0 <= slice2winner4_cost_0_0 when slice2winner4_cost_0_0 < slice2winner4_cost_0_1 else
+        slice2winner4_cost_0_1;
+      slice2winner5_index_0_0 <= slice2winner4_index_0_1 when slice2winner4_cost_0_1 < slice2winner4_cost_0_0 else
+        slice2winner4_index_0_0;
+      -- slice2best
+      slice2best_cost_0_is_less := slice1best_cost_0 < slice2winner5_cost_0_0;
+      slice2best_cost_0 <= slice1best_cost_0 when slice2best_cost_0_is_less else slice2winner5_cost_0_0;
+      slice2best_disparity_0 <= slice1best_disparity_0 when slice2best_cost_0_is_less else slice2winner5_index_0_0 + 25;
+      slice2best_tag_valid <= slice1best_tag_valid;
+      slice2best_tag_output_column <= slice1best_tag_output_column;
+      slice2best_tag_start_of_frame <= slice1best_tag_start_of_frame;
+      slice2best_tag_end_of_line <= slice1best_tag_end_of_line;
+      -- slice3shift
+      if slice0cost_pair_tag_valid then
+        slice3shift_left_0_0 <= slice3shift_left_0_1;
+        slice3shift_left_0_1 <= slice3shift_left_0_2;
+        slice3shift_left_0_2 <= slice3shift_left_0_3;
+        slice3shift_left_0_3 <= slice3shift_left_0_4;
+        slice3shift_left_0_4 <= slice3shift_left_0_5;
+        slice3shift_left_0_5 <= slice3shift_left_0_6;
+        slice3shift_left_0_6 <= slice3shift_left_0_7;
+        slice3shift_left_0_7 <= slice3shift_left_0_8;
+        slice3shift_left_0_8 <= slice3shift_left_0_9;
+        slice3shift_left_0_9 <= slice3shift_left_0_10;
+        slice3shift_left_0_10 <= slice3shift_left_0_11;
+        slice3shift_left_0_11 <= slice3shift_left_0_12;
+        slice3shift_left_0_12 <= slice3shift_left_0_13;
+        slice3shift_left_0_13 <= slice3shift_left_0_14;
+        slice3shift_left_0_14 <= slice3shift_left_0_15;
+        slice3shift_left_0_15 <= slice3shift_left_0_16;
+        slice3shift_left_0_16 <= slice3shift_left_0_17;
+        slice3shift_left_0_17 <= slice3shift_left_0_18;
+        slice3shift_left_0_18 <= slice3shift_left_0_19;
+        slice3shift_left_0_19 <= slice3shift_left_0_20;
+        slice3shift_left_0_20 <= slice3shift_left_0_21;
+        slice3shift_left_0_21 <= slice3shift_left_0_22;
+        slice3shift_left_0_22 <= slice3shift_left_0_23;
+        slice3shift_left_0_23 <= slice3shift_left_0_24;
+        slice3shift_left_0_24 <= slice2shift_left_out_0;
+        slice3shift_left_1_0 <= slice3shift_left_1_1;
+        slice3shift_left_1_1 <= slice3shift_left_1_2;
+        slice3shift_left_1_2 <= slice3shift_left_1_3;
+        slice3shift_left_1_3 <= slice3shift_left_1_4;
+        slice3shift_left_1_4 <= slice3shift_left_1_5;
+        slice3shift_left_1_5 <= slice3shift_left_1_6;
+        slice3shift_left_1_6 <= slice3shift_left_1_7;
+        slice3shift_left_1_7 <= slice3shift_left_1_8;
+        slice3shift_left_1_8 <= slice3shift_left_1_9;
+        slice3shift_left_1_9 <= slice3shift_left_1_10;
+        slice3shift_left_1_10 <= slice3shift_left_1_11;
+        slice3shift_left_1_11 <= slice3shift_left_1_12;
+        slice3shift_left_1_12 <= slice3shift_left_1_13;
+        slice3shift_left_1_13 <= slice3shift_left_1_14;
+        slice3shift_left_1_14 <= slice3shift_left_1_15;
+        slice3shift_left_1_15 <= slice3shift_left_1_16;
+        slice3shift_left_1_16 <= slice3shift_left_1_17;
+        slice3shift_left_1_17 <= slice3shift_left_1_18;
+        slice3shift_left_1_18 <= slice3shift_left_1_19;
+        slice3shift_left_1_19 <= slice3shift_left_1_20;
+        slice3shift_left_1_20 <= slice3shift_left_1_21;
+        slice3shift_left_1_21 <= slice3shift_left_1_22;
+        slice3shift_left_1_22 <= slice3shift_left_1_23;
+        slice3shift_left_1_23 <= slice3shift_left_1_24;
+        slice3shift_left_1_24 <= slice2shift_left_out_1;
+        slice3shift_left_2_0 <= slice3shift_left_2_1;
+        slice3shift_left_2_1 <= slice3shift_left_2_2;
+        slice3shift_left_2_2 <= slice3shift_left_2_3;
+        slice3shift_left_2_3 <= slice3shift_left_2_4;
+        slice3shift_left_2_4 <= slice3shift_left_2_5;
+        slice3shift_left_2_5 <= slice3shift_left_2_6;
+        slice3shift_left_2_6 <= slice3shift_left_2_7;
+        slice3shift_left_2_7 <= slice3shift_left_2_8;
+        slice3shift_left_2_8 <= slice3shift_left_2_9;
+        slice3shift_left_2_9 <= slice3shift_left_2_10;
+        slice3shift_left_2_10 <= slice3shift_left_2_11;
+        slice3shift_left_2_11 <= slice3shift_left_2_12;
+        slice3shift_left_2_12 <= slice3shift_left_2_13;
+        slice3shift_left_2_13 <= slice3shift_left_2_14;
+        slice3shift_left_2_14 <= slice3shift_left_2_15;
+        slice3shift_left_2_15 <= slice3shift_left_2_16;
+        slice3shift_left_2_16 <= slice3shift_left_2_17;
+        slice3shift_left_2_17 <= slice3shift_left_2_18;
+        slice3shift_left_2_18 <= slice3shift_left_2_19;
+        slice3shift_left_2_19 <= slice3shift_left_2_20;
+        slice3shift_left_2_20 <= slice3shift_left_2_21;
+        slice3shift_left_2_21 <= slice3shift_left_2_22;
+        slice3shift_left_2_22 <= slice3shift_left_2_23;
+        slice3shift_left_2_23 <= slice3shift_left_2_24;
+        slice3shift_left_2_24 <= slice2shift_left_out_2;
+      end if;
+      slice3shift_right_0 <= slice2shift_right_0;
+      slice3shift_right_1 <= slice2shift_right_1;
+      slice3shift_right_2 <= slice2shift_right_2;
+      -- slice3cost
+      slice3cost_pair_0_0_choice := slice3cost_reverse_0_0 when slice3cost_difference_2_0 < 0 else
+        positive_part(slice3cost_difference_2_0);
+      slice3cost_pair_0_1_choice := slice3cost_reverse_0_1 when slice3cost_difference_2_1 < 0 else
+        positive_part(slice3cost_difference_2_1);
+      slice3cost_pair_0_2_choice := slice3cost_reverse_0_2 when slice3cost_difference_2_2 < 0 else
+        positive_part(slice3cost_difference_2_2);
+      slice3cost_pair_0_3_choice := slice3cost_reverse_0_3 when slice3cost_difference_2_3 < 0 else
+        positive_part(slice3cost_difference_2_3);
+      slice3cost_pair_0_4_choice := slice3cost_reverse_0_4 when slice3cost_difference_2_4 < 0 else
+        positive_part(slice3cost_difference_2_4);
+      slice3cost_pair_0_5_choice := slice3cost_reverse_0_5 when slice3cost_difference_2_5 < 0 else
+        positive_part(slice3cost_difference_2_5);
+      slice3cost_pair_0_6_choice := slice3cost_reverse_0_6 when slice3cost_difference_2_6 < 0 else
+        positive_part(slice3cost_difference_2_6);
+      slice3cost_pair_0_7_choice := slice3cost_reverse_0_7 when slice3cost_difference_2_7 < 0 else
+        positive_part(slice3cost_difference_2_7);
+      slice3cost_pair_0_8_choice := slice3cost_reverse_0_8 when slice3cost_difference_2_8 < 0 else
+        positive_part(slice3cost_difference_2_8);
+      slice3cost_pair_0_9_choice := slice3cost_reverse_0_9 when slice3cost_difference_2_9 < 0 else
+        positive_part(slice3cost_difference_2_9);
+      slice3cost_pair_0_10_choice := slice3cost_reverse_0_10 when slice3cost_difference_2_10 < 0 else
+        positive_part(slice3cost_difference_2_10);
+      slice3cost_pair_0_11_choice := slice3cost_reverse_0_11 when slice3cost_difference_2_11 < 0 else
+        positive_part(slice3cost_difference_2_11);
+      slice3cost_pair_0_12_choice := slice3cost_reverse_0_12 when slice3cost_difference_2_12 < 0 else
+        positive_part(slice3cost_difference_2_12);
+      slice3cost_pair_0_13_choice := slice3cost_reverse_0_13 when slice3cost_difference_2_13 < 0 else
+        positive_part(slice3cost_difference_2_13);
+      slice3cost_pair_0_14_choice := slice3cost_reverse_0_14 when slice3cost_difference_2_14 < 0 else
+        positive_part(slice3cost_difference_2_14);
+      slice3cost_pair_0_15_choice := slice3cost_reverse_0_15 when slice3cost_difference_2_15 < 0 else
+        positive_part(slice3cost_difference_2_15);
+      slice3cost_pair_0_16_choice := slice3cost_reverse_0_16 when slice3cost_difference_2_16 < 0 else
+        positive_part(slice3cost_difference_2_16);
+      slice3cost_pair_0_17_choice := slice3cost_reverse_0_17 when slice3cost_difference_2_17 < 0 else
+        positive_part(slice3cost_difference_2_17);
+      slice3cost_pair_0_18_choice := slice3cost_reverse_0_18 when slice3cost_difference_2_18 < 0 else
+        positive_part(slice3cost_difference_2_18);
+      slice3cost_pair_0_19_choice := slice3cost_reverse_0_19 when slice3cost_difference_2_19 < 0 else
+        positive_part(slice3cost_difference_2_19);
+      slice3cost_pair_0_20_choice := slice3cost_reverse_0_20 when slice3cost_difference_2_20 < 0 else
+        positive_part(slice3cost_difference_2_20);
+      slice3cost_pair_0_21_choice := slice3cost_reverse_0_21 when slice3cost_difference_2_21 < 0 else
+        positive_part(slice3cost_difference_2_21);
+      slice3cost_pair_0_22_choice := slice3cost_reverse_0_22 when slice3cost_difference_2_22 < 0 else
+        positive_part(slice3cost_difference_2_22);
+      slice3cost_pair_0_23_choice := slice3cost_reverse_0_23 when slice3cost_difference_2_23 < 0 else
+        positive_part(slice3cost_difference_2_23);
+      slice3cost_pair_0_24_choice := slice3cost_reverse_0_24 when slice3cost_difference_2_24 < 0 else
+        positive_part(slice3cost_difference_2_24);
+      slice3cost_difference_0_0 <= slice3shift_left_0_0 - slice3shift_right_0;
+      slice3cost_difference_0_1 <= slice3shift_left_0_1 - slice3shift_right_0;
+      slice3cost_difference_0_2 <= slice3shift_left_0_2 - slice3shift_right_0;
+      slice3cost_difference_0_3 <= slice3shift_left_0_3 - slice3shift_right_0;
+      slice3cost_difference_0_4 <= slice3shift_left_0_4 - slice3shift_right_0;
+      slice3cost_difference_0_5 <= slice3shift_left_0_5 - slice3shift_right_0;
+      slice3cost_difference_0_6 <= slice3shift_left_0_6 - slice3shift_right_0;
+      slice3cost_difference_0_7 <= slice3shift_left_0_7 - slice3shift_right_0;
+      slice3cost_difference_0_8 <= slice3shift_left_0_8 - slice3shift_right_0;
+      slice3cost_difference_0_9 <= slice3shift_left_0_9 - slice3shift_right_0;
+      slice3cost_difference_0_10 <= slice3shift_left_0_10 - slice3shift_right_0;
+      slice3cost_difference_0_11 <= slice3shift_left_0_11 - slice3shift_right_0;
+      slice3cost_difference_0_12 <= slice3shift_left_0_12 - slice3shift_right_0;
+      slice3cost_difference_0_13 <= slice3shift_left_0_13 - slice3shift_right_0;
+      slice3cost_difference_0_14 <= slice3shift_left_0_14 - slice3shift_right_0;
+      slice3cost_difference_0_15 <= slice3shift_left_0_15 - slice3shift_right_0;
+      slice3cost_difference_0_16 <= slice3shift_left_0_16 - slice3shift_right_0;
+      slice3cost_difference_0_17 <= slice3shift_left_0_17 - slice3shift_right_0;
+      slice3cost_difference_0_18 <= slice3shift_left_0_18 - slice3shift_right_0;
+      slice3cost_difference_0_19 <= slice3shift_left_0_19 - slice3shift_right_0;
+      slice3cost_difference_0_20 <= slice3shift_left_0_20 - slice3shift_right_0;
+      slice3cost_difference_0_21 <= slice3shift_left_0_21 - slice3shift_right_0;
+      slice3cost_difference_0_22 <= slice3shift_left_0_22 - slice3shift_right_0;
+      slice3cost_difference_0_23 <= slice3shift_left_0_23 - slice3shift_right_0;
+      slice3cost_difference_0_24 <= slice3shift_left_0_24 - slice3shift_right_0;
+      slice3cost_difference_1_0 <= slice3shift_left_1_0 - slice3shift_right_1;
+      slice3cost_difference_1_1 <= slice3shift_left_1_1 - slice3shift_right_1;
+      slice3cost_difference_1_2 <= slice3shift_left_1_2 - slice3shift_right_1;
+      slice3cost_difference_1_3 <= slice3shift_left_1_3 - slice3shift_right_1;
+      slice3cost_difference_1_4 <= slice3shift_left_1_4 - slice3shift_right_1;
+      slice3cost_difference_1_5 <= slice3shift_left_1_5 - slice3shift_right_1;
+      slice3cost_difference_1_6 <= slice3shift_left_1_6 - slice3shift_right_1;
+      slice3cost_difference_1_7 <= slice3shift_left_1_7 - slice3shift_right_1;
+      slice3cost_difference_1_8 <= slice3shift_left_1_8 - slice3shift_right_1;
+      slice3cost_difference_1_9 <= slice3shift_left_1_9 - slice3shift_right_1;
+      slice3cost_difference_1_10 <= slice3shift_left_1_10 - slice3shift_right_1;
+      slice3cost_difference_1_11 <= slice3shift_left_1_11 - slice3shift_right_1;
+      slice3cost_difference_1_12 <= slice3shift_left_1_12 - slice3shift_right_1;
+      slice3cost_difference_1_13 <= slice3shift_left_1_13 - slice3shift_right_1;
+      slice3cost_difference_1_14 <= slice3shift_left_1_14 - slice3shift_right_1;
+      slice3cost_difference_1_15 <= slice3shift_left_1_15 - slice3shift_right_1;
+      slice3cost_difference_1_16 <= slice3shift_left_1_16 - slice3shift_right_1;
+      slice3cost_difference_1_17 <= slice3shift_left_1_17 - slice3shift_right_1;
+      slice3cost_difference_1_18 <= slice3shift_left_1_18 - slice3shift_right_1;
+      slice3cost_difference_1_19 <= slice3shift_left_1_19 - slice3shift_right_1;
+      slice3cost_difference_1_20 <= slice3shift_left_1_20 - slice3shift_right_1;
+      slice3cost_difference_1_21 <= slice3shift_left_1_21 - slice3shift_right_1;
+      slice3cost_difference_1_22 <= slice3shift_left_1_22 - slice3shift_right_1;
+      slice3cost_difference_1_23 <= slice3shift_left_1_23 - slice3shift_right_1;
+      slice3cost_difference_1_24 <= slice3shift_left_1_24 - slice3shift_right_1;
+      slice3cost_difference_2_0 <= slice3shift_left_2_0 - slice3shift_right_2;
+      slice3cost_difference_2_1 <= slice3shift_left_2_1 - slice3shift_right_2;
+      slice3cost_difference_2_2 <= slice3shift_left_2_2 - slice3shift_right_2;
+      slice3cost_difference_2_3 <= slice3shift_left_2_3 - slice3shift_right_2;
+      slice3cost_difference_2_4 <= slice3shift_left_2_4 - slice3shift_right_2;
+      slice3cost_difference_2_5 <= slice3shift_left_2_5 - slice3shift_right_2;
+      slice3cost_difference_2_6 <= slice3shift_left_2_6 - slice3shift_right_2;
+      slice3cost_difference_2_7 <= slice3shift_left_2_7 - slice3shift_right_2;
+      slice3cost_difference_2_8 <= slice3shift_left_2_8 - slice3shift_right_2;
+      slice3cost_difference_2_9 <= slice3shift_left_2_9 - slice3shift_right_2;
+      slice3cost_difference_2_10 <= slice3shift_left_2_10 - slice3shift_right_2;
+      slice3cost_difference_2_11 <= slice3shift_left_2_11 - slice3shift_right_2;
+      slice3cost_difference_2_12 <= slice3shift_left_2_12 - slice3shift_right_2;
+      slice3cost_difference_2_13 <= slice3shift_left_2_13 - slice3shift_right_2;
+      slice3cost_difference_2_14 <= slice3shift_left_2_14 - slice3shift_right_2;
+      slice3cost_difference_2_15 <= slice3shift_left_2_15 - slice3shift_right_2;
+      slice3cost_difference_2_16 <= slice3shift_left_2_16 - slice3shift_right_2;
+      slice3cost_difference_2_17 <= slice3shift_left_2_17 - slice3shift_right_2;
+      slice3cost_difference_2_18 <= slice3shift_left_2_18 - slice3shift_right_2;
+      slice3cost_difference_2_19 <= slice3shift_left_2_19 - slice3shift_right_2;
+      slice3cost_difference_2_20 <= slice3shift_left_2_20 - slice3shift_right_2;
+      slice3cost_difference_2_21 <= slice3shift_left_2_21 - slice3shift_right_2;
+      slice3cost_difference_2_22 <= slice3shift_left_2_22 - slice3shift_right_2;
+      slice3cost_difference_2_23 <= slice3shift_left_2_23 - slice3shift_right_2;
+      slice3cost_difference_2_24 <= slice3shift_left_2_24 - slice3shift_right_2;
+      slice3cost_reverse_0_0 <= (slice3shift_right_2 - slice3shift_left_2_0) mod 256;
+      slice3cost_reverse_0_1 <= (slice3shift_right_2 - slice3shift_left_2_1) mod 256;
+      slice3cost_reverse_0_2 <= (slice3shift_right_2 - slice3shift_left_2_2) mod 256;
+      slice3cost_reverse_0_3 <= (slice3shift_right_2 - slice3shift_left_2_3) mod 256;
+      slice3cost_reverse_0_4 <= (slice3shift_right_2 - slice3shift_left_2_4) mod 256;
+      slice3cost_reverse_0_5 <= (slice3shift_right_2 - slice3shift_left_2_5) mod 256;
+      slice3cost_reverse_0_6 <= (slice3shift_right_2 - slice3shift_left_2_6) mod 256;
+      slice3cost_reverse_0_7 <= (slice3shift_right_2 - slice3shift_left_2_7) mod 256;
+      slice3cost_reverse_0_8 <= (slice3shift_right_2 - slice3shift_left_2_8) mod 256;
+      slice3cost_reverse_0_9 <= (slice3shift_right_2 - slice3shift_left_2_9) mod 256;
+      slice3cost_reverse_0_10 <= (slice3shift_right_2 - slice3shift_left_2_10) mod 256;
+      slice3cost_reverse_0_11 <= (slice3shift_right_2 - slice3shift_left_2_11) mod 256;
+      slice3cost_reverse_0_12 <= (slice3shift_right_2 - slice3shift_left_2_12) mod 256;
+      slice3cost_reverse_0_13 <= (slice3shift_right_2 - slice3shift_left_2_13) mod 256;
+      slice3cost_reverse_0_14 <= (slice3shift_right_2 - slice3shift_left_2_14) mod 256;
+      slice3cost_reverse_0_15 <= (slice3shift_right_2 - slice3shift_left_2_15) mod 256;
+      slice3cost_reverse_0_16 <= (slice3shift_right_2 - slice3shift_left_2_16) mod 256;
+      slice3cost_reverse_0_17 <= (slice3shift_right_2 - slice3shift_left_2_17) mod 256;
+      slice3cost_reverse_0_18 <= (slice3shift_right_2 - slice3shift_left_2_18) mod 256;
+      slice3cost_reverse_0_19 <= (slice3shift_right_2 - slice3shift_left_2_19) mod 256;
+      slice3cost_reverse_0_20 <= (slice3shift_right_2 - slice3shift_left_2_20) mod 256;
+      slice3cost_reverse_0_21 <= (slice3shift_right_2 - slice3shift_left_2_21) mod 256;
+      slice3cost_reverse_0_22 <= (slice3shift_right_2 - slice3shift_left_2_22) mod 256;
+      slice3cost_reverse_0_23 <= (slice3shift_right_2 - slice3shift_left_2_23) mod 256;
+      slice3cost_reverse_0_24 <= (slice3shift_right_2 - slice3shift_left_2_24) mod 256;
+      slice3cost_pair_0_0 <= slice3cost_pair_0_0_choice + folded(slice3cost_difference_1_0) +
+        as_number((slice3cost_difference_1_0 < 0));
+      slice3cost_pair_0_1 <= slice3cost_pair_0_1_choice + folded(slice3cost_difference_1_1) +
+        as_number((slice3cost_difference_1_1 < 0));
+      slice3cost_pair_0_2 <= slice3cost_pair_0_2_choice + folded(slice3cost_difference_1_2) +
+        as_number((slice3cost_difference_1_2 < 0));
+      slice3cost_pair_0_3 <= slice3cost_pair_0_3_choice + folded(slice3cost_difference_1_3) +
+        as_number((slice3cost_difference_1_3 < 0));
+      slice3cost_pair_0_4 <= slice3cost_pair_0_4_choice + folded(slice3cost_difference_1_4) +
+        as_number((slice3cost_difference_1_4 < 0));
+      slice3cost_pair_0_5 <= slice3cost_pair_0_5_choice + folded(slice3cost_difference_1_5) +
+        as_number((slice3cost_difference_1_5 < 0));
+      slice3cost_pair_0_6 <= slice3cost_pair_0_6_choice + folded(slice3cost_difference_1_6) +
+        as_number((slice3cost_difference_1_6 < 0));
+      slice3cost_pair_0_7 <= slice3cost_pair_0_7_choice + folded(slice3cost_difference_1_7) +
+        as_number((slice3cost_difference_1_7 < 0));
+      slice3cost_pair_0_8 <= slice3cost_pair_0_8_choice + folded(slice3cost_difference_1_8) +
+        as_number((slice3cost_difference_1_8 < 0));
+      slice3cost_pair_0_9 <= slice3cost_pair_0_9_choice + folded(slice3cost_difference_1_9) +
+        as_number((slice3cost_difference_1_9 < 0));
+      slice3cost_pair_0_10 <= slice3cost_pair_0_10_choice + folded(slice3cost_difference_1_10) +
+        as_number((slice3cost_difference_1_10 < 0));
+      slice3cost_pair_0_11 <= slice3cost_pair_0_11_choice + folded(slice3cost_difference_1_11) +
+        as_number((slice3cost_difference_1_11 < 0));
+      slice3cost_pair_0_12 <= slice3cost_pair_0_12_choice + folded(slice3cost_difference_1_12) +
+        as_number((slice3cost_difference_1_12 < 0));
+      slice3cost_pair_0_13 <= slice3cost_pair_0_13_choice + folded(slice3cost_difference_1_13) +
+        as_number((slice3cost_difference_1_13 < 0));
+      slice3cost_pair_0_14 <= slice3cost_pair_0_14_choice + folded(slice3cost_difference_1_14) +
+        as_number((slice3cost_difference_1_14 < 0));
+      slice3cost_pair_0_15 <= slice3cost_pair_0_15_choice + folded(slice3cost_difference_1_15) +
+        as_number((slice3cost_difference_1_15 < 0));
+      slice3cost_pair_0_16 <= slice3cost_pair_0_16_choice + folded(slice3cost_difference_1_16) +
+        as_number((slice3cost_difference_1_16 < 0));
+      slice3cost_pair_0_17 <= slice3cost_pair_0_17_choice + folded(slice3cost_difference_1_17) +
+        as_number((slice3cost_difference_1_17 < 0));
+      slice3cost_pair_0_18 <= slice3cost_pair_0_18_choice + folded(slice3cost_difference_1_18) +
+        as_number((slice3cost_difference_1_18 < 0));
+      slice3cost_pair_0_19 <= slice3cost_pair_0_19_choice + folded(slice3cost_difference_1_19) +
+        as_number((slice3cost_difference_1_19 < 0));
+      slice3cost_pair_0_20 <= slice3cost_pair_0_20_choice + folded(slice3cost_difference_1_20) +
+        as_number((slice3cost_difference_1_20 < 0));
+      slice3cost_pair_0_21 <= slice3cost_pair_0_21_choice + folded(slice3cost_difference_1_21) +
+        as_number((slice3cost_difference_1_21 < 0));
+      slice3cost_pair_0_22 <= slice3cost_pair_0_22_choice + folded(slice3cost_difference_1_22) +
+        as_number((slice3cost_difference_1_22 < 0));
+      slice3cost_pair_0_23 <= slice3cost_pair_0_23_choice + folded(slice3cost_difference_1_23) +
+        as_number((slice3cost_difference_1_23 < 0));
+      slice3cost_pair_0_24 <= slice3cost_pair_0_24_choice + folded(slice3cost_difference_1_24) +
+        as_number((slice3cost_difference_1_24 < 0));
+      slice3cost_single_0_0 <= folded(slice3cost_difference_0_0);
+      slice3cost_single_0_1 <= folded(slice3cost_difference_0_1);
+      slice3cost_single_0_2 <= folded(slice3cost_difference_0_2);
+      slice3cost_single_0_3 <= folded(slice3cost_difference_0_3);
+      slice3cost_single_0_4 <= folded(slice3cost_difference_0_4);
+      slice3cost_single_0_5 <= folded(slice3cost_difference_0_5);
+      slice3cost_single_0_6 <= folded(slice3cost_difference_0_6);
+      slice3cost_single_0_7 <= folded(slice3cost_difference_0_7);
+      slice3cost_single_0_8 <= folded(slice3cost_difference_0_8);
+      slice3cost_single_0_9 <= folded(slice3cost_difference_0_9);
+      slice3cost_single_0_10 <= folded(slice3cost_difference_0_10);
+      slice3cost_single_0_11 <= folded(slice3cost_difference_0_11);
+      slice3cost_single_0_12 <= folded(slice3cost_difference_0_12);
+      slice3cost_single_0_13 <= folded(slice3cost_difference_0_13);
+      slice3cost_single_0_14 <= folded(slice3cost_difference_0_14);
+      slice3cost_single_0_15 <= folded(slice3cost_difference_0_15);
+      slice3cost_single_0_16 <= folded(slice3cost_difference_0_16);
+      slice3cost_single_0_17 <= folded(slice3cost_difference_0_17);
+      slice3cost_single_0_18 <= folded(slice3cost_difference_0_18);
+      slice3cost_single_0_19 <= folded(slice3cost_difference_0_19);
+      slice3cost_single_0_20 <= folded(slice3cost_difference_0_20);
+      slice3cost_single_0_21 <= folded(slice3cost_difference_0_21);
+      slice3cost_single_0_22 <= folded(slice3cost_difference_0_22);
+      slice3cost_single_0_23 <= folded(slice3cost_difference_0_23);
+      slice3cost_single_0_24 <= folded(slice3cost_difference_0_24);
+      slice3cost_negative_0_0 <= slice3cost_difference_0_0 < 0;
+      slice3cost_negative_0_1 <= slice3cost_difference_0_1 < 0;
+      slice3cost_negative_0_2 <= slice3cost_difference_0_2 < 0;
+      slice3cost_negative_0_3 <= slice3cost_difference_0_3 < 0;
+      slice3cost_negative_0_4 <= slice3cost_difference_0_4 < 0;
+      slice3cost_negative_0_5 <= slice3cost_difference_0_5 < 0;
+      slice3cost_negative_0_6 <= slice3cost_difference_0_6 < 0;
+      slice3cost_negative_0_7 <= slice3cost_difference_0_7 < 0;
+      slice3cost_negative_0_8 <= slice3cost_difference_0_8 < 0;
+      slice3cost_negative_0_9 <= slice3cost_difference_0_9 < 0;
+      slice3cost_negative_0_10 <= slice3cost_difference_0_10 < 0;
+      slice3cost_negative_0_11 <= slice3cost_difference_0_11 < 0;
+      slice3cost_negative_0_12 <= slice3cost_difference_0_12 < 0;
+      slice3cost_negative_0_13 <= slice3cost_difference_0_13 < 0;
+      slice3cost_negative_0_14 <= slice3cost_difference_0_14 < 0;
+      slice3cost_negative_0_15 <= slice3cost_difference_0_15 < 0;
+      slice3cost_negative_0_16 <= slice3cost_difference_0_16 < 0;
+      slice3cost_negative_0_17 <= slice3cost_difference_0_17 < 0;
+      slice3cost_negative_0_18 <= slice3cost_difference_0_18 < 0;
+      slice3cost_negative_0_19 <= slice3cost_difference_0_19 < 0;
+      slice3cost_negative_0_20 <= slice3cost_difference_0_20 < 0;
+      slice3cost_negative_0_21 <= slice3cost_difference_0_21 < 0;
+      slice3cost_negative_0_22 <= slice3cost_difference_0_22 < 0;
+      slice3cost_negative_0_23 <= slice3cost_difference_0_23 < 0;
+      slice3cost_negative_0_24 <= slice3cost_difference_0_24 < 0;
+      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_0) +
+        slice3cost_pair_0_0 + slice3cost_single_0_0;
+      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_1) +
+        slice3cost_pair_0_1 + slice3cost_single_0_1;
+      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_2) +
+        slice3cost_pair_0_2 + slice3cost_single_0_2;
+      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_3) +
+        slice3cost_pair_0_3 + slice3cost_single_0_3;
+      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_4) +
+        slice3cost_pair_0_4 + slice3cost_single_0_4;
+      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_5) +
+        slice3cost_pair_0_5 + slice3cost_single_0_5;
+      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_6) +
+        slice3cost_pair_0_6 + slice3cost_single_0_6;
+      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_7) +
+        slice3cost_pair_0_7 + slice3cost_single_0_7;
+      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_8) +
+        slice3cost_pair_0_8 + slice3cost_single_0_8;
+      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_9) +
+        slice3cost_pair_0_9 + slice3cost_single_0_9;
+      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_10) +
+        slice3cost_pair_0_10 + slice3cost_single_0_10;
+      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_11) +
+        slice3cost_pair_0_11 + slice3cost_single_0_11;
+      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_12) +
+        slice3cost_pair_0_12 + slice3cost_single_0_12;
+      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_13) +
+        slice3cost_pair_0_13 + slice3cost_single_0_13;
+      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_14) +
+        slice3cost_pair_0_14 + slice3cost_single_0_14;
+      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_15) +
+        slice3cost_pair_0_15 + slice3cost_single_0_15;
+      slice3cost_column_0_16 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_16) +
+        slice3cost_pair_0_16 + slice3cost_single_0_16;
+      slice3cost_column_0_17 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_17) +
+        slice3cost_pair_0_17 + slice3cost_single_0_17;
+      slice3cost_column_0_18 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_18) +
+        slice3cost_pair_0_18 + slice3cost_single_0_18;
+      slice3cost_column_0_19 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_19) +
+        slice3cost_pair_0_19 + slice3cost_single_0_19;
+      slice3cost_column_0_20 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_20) +
+        slice3cost_pair_0_20 + slice3cost_single_0_20;
+      slice3cost_column_0_21 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_21) +
+        slice3cost_pair_0_21 + slice3cost_single_0_21;
+      slice3cost_column_0_22 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_22) +
+        slice3cost_pair_0_22 + slice3cost_single_0_22;
+      slice3cost_column_0_23 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_23) +
+        slice3cost_pair_0_23 + slice3cost_single_0_23;
+      slice3cost_column_0_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_24) +
+        slice3cost_pair_0_24 + slice3cost_single_0_24;
+      -- slice3window
+      if slice0winner2_tag_valid then
+        slice3window_partial_0_0_0 <= slice3cost_column_0_0;
+        slice3window_partial_0_0_1 <= slice3cost_column_0_1;
+        slice3window_partial_0_0_2 <= slice3cost_column_0_2;
+        slice3window_partial_0_0_3 <= slice3cost_column_0_3;
+        slice3window_partial_0_0_4 <= slice3cost_column_0_4;
+        slice3window_partial_0_0_5 <= slice3cost_column_0_5;
+        slice3window_partial_0_0_6 <= slice3cost_column_0_6;
+        slice3window_partial_0_0_7 <= slice3cost_column_0_7;
+        slice3window_partial_0_0_8 <= slice3cost_column_0_8;
+        slice3window_partial_0_0_9 <= slice3cost_column_0_9;
+        slice3window_partial_0_0_10 <= slice3cost_column_0_10;
+        slice3window_partial_0_0_11 <= slice3cost_column_0_11;
+        slice3window_partial_0_0_12 <= slice3cost_column_0_12;
+        slice3window_partial_0_0_13 <= slice3cost_column_0_13;
+        slice3window_partial_0_0_14 <= slice3cost_column_0_14;
+        slice3window_partial_0_0_15 <= slice3cost_column_0_15;
+        slice3window_partial_0_0_16 <= slice3cost_column_0_16;
+        slice3window_partial_0_0_17 <= slice3cost_column_0_17;
+        slice3window_partial_0_0_18 <= slice3cost_column_0_18;
+        slice3window_partial_0_0_19 <= slice3cost_column_0_19;
+        slice3window_partial_0_0_20 <= slice3cost_column_0_20;
+        slice3window_partial_0_0_21 <= slice3cost_column_0_21;
+        slice3window_partial_0_0_22 <= slice3cost_column_0_22;
+        slice3window_partial_0_0_23 <= slice3cost_column_0_23;
+        slice3window_partial_0_0_24 <= slice3cost_column_0_24;
+        slice3window_partial_0_1_0 <= slice3cost_column_0_0 + slice3window_partial_0_0_0;
+        slice3window_partial_0_1_1 <= slice3cost_column_0_1 + slice3window_partial_0_0_1;
+        slice3window_partial_0_1_2 <= slice3cost_column_0_2 + slice3window_partial_0_0_2;
+        slice3window_partial_0_1_3 <= slice3cost_column_0_3 + slice3window_partial_0_0_3;
+        slice3window_partial_0_1_4 <= slice3cost_column_0_4 + slice3window_partial_0_0_4;
+        slice3window_partial_0_1_5 <= slice3cost_column_0_5 + slice3window_partial_0_0_5;
+        slice3window_partial_0_1_6 <= slice3cost_column_0_6 + slice3window_partial_0_0_6;
+        slice3window_partial_0_1_7 <= slice3cost_column_0_7 + slice3window_partial_0_0_7;
+        slice3window_partial_0_1_8 <= slice3cost_column_0_8 + slice3window_partial_0_0_8;
+        slice3window_partial_0_1_9 <= slice3cost_column_0_9 + slice3window_partial_0_0_9;
+        slice3window_partial_0_1_10 <= slice3cost_column_0_10 + slice3window_partial_0_0_10;
+        slice3window_partial_0_1_11 <= slice3cost_column_0_11 + slice3window_partial_0_0_11;
+        slice3window_partial_0_1_12 <= slice3cost_column_0_12 + slice3window_partial_0_0_12;
+        slice3window_partial_0_1_13 <= slice3cost_column_0_13 + slice3window_partial_0_0_13;
+        slice3window_partial_0_1_14 <= slice3cost_column_0_14 + slice3window_partial_0_0_14;
+        slice3window_partial_0_1_15 <= slice3cost_column_0_15 + slice3window_partial_0_0_15;
+        slice3window_partial_0_1_16 <= slice3cost_column_0_16 + slice3window_partial_0_0_16;
+        slice3window_partial_0_1_17 <= slice3cost_column_0_17 + slice3window_partial_0_0_17;
+        slice3window_partial_0_1_18 <= slice3cost_column_0_18 + slice3window_partial_0_0_18;
+        slice3window_partial_0_1_19 <= slice3cost_column_0_19 + slice3window_partial_0_0_19;
+        slice3window_partial_0_1_20 <= slice3cost_column_0_20 + slice3window_partial_0_0_20;
+        slice3window_partial_0_1_21 <= slice3cost_column_0_21 + slice3window_partial_0_0_21;
+        slice3window_partial_0_1_22 <= slice3cost_column_0_22 + slice3window_partial_0_0_22;
+        slice3window_partial_0_1_23 <= slice3cost_column_0_23 + slice3window_partial_0_0_23;
+        slice3window_partial_0_1_24 <= slice3cost_column_0_24 + slice3window_partial_0_0_24;
+      end if;
+      slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_1_0;
+      slice3window_sum_0_1 <= slice3cost_column_0_1 + slice3window_partial_0_1_1;
+      slice3window_sum_0_2 <= slice3cost_column_0_2 + slice3window_partial_0_1_2;
+      slice3window_sum_0_3 <= slice3cost_column_0_3 + slice3window_partial_0_1_3;
+      slice3window_sum_0_4 <= slice3cost_column_0_4 + slice3window_partial_0_1_4;
+      slice3window_sum_0_5 <= slice3cost_column_0_5 + slice3window_partial_0_1_5;
+      slice3window_sum_0_6 <= slice3cost_column_0_6 + slice3window_partial_0_1_6;
+      slice3window_sum_0_7 <= slice3cost_column_0_7 + slice3window_partial_0_1_7;
+      slice3window_sum_0_8 <= slice3cost_column_0_8 + slice3window_partial_0_1_8;
+      slice3window_sum_0_9 <= slice3cost_column_0_9 + slice3window_partial_0_1_9;
+      slice3window_sum_0_10 <= slice3cost_column_0_10 + slice3window_partial_0_1_10;
+      slice3window_sum_0_11 <= slice3cost_column_0_11 + slice3window_partial_0_1_11;
+      slice3window_sum_0_12 <= slice3cost_column_0_12 + slice3window_partial_0_1_12;
+      slice3window_sum_0_13 <= slice3cost_column_0_13 + slice3window_partial_0_1_13;
+      slice3window_sum_0_14 <= slice3cost_column_0_14 + slice3window_partial_0_1_14;
+      slice3window_sum_0_15 <= slice3cost_column_0_15 + slice3window_partial_0_1_15;
+      slice3window_sum_0_16 <= slice3cost_column_0_16 + slice3window_partial_0_1_16;
+      slice3window_sum_0_17 <= slice3cost_column_0_17 + slice3window_partial_0_1_17;
+      slice3window_sum_0_18 <= slice3cost_column_0_18 + slice3window_partial_0_1_18;
+      slice3window_sum_0_19 <= slice3cost_column_0_19 + slice3window_partial_0_1_19;
+      slice3window_sum_0_20 <= slice3cost_column_0_20 + slice3window_partial_0_1_20;
+      slice3window_sum_0_21 <= slice3cost_column_0_21 + slice3window_partial_0_1_21;
+      slice3window_sum_0_22 <= slice3cost_column_0_22 + slice3window_partial_0_1_22;
+      slice3window_sum_0_23 <= slice3cost_column_0_23 + slice3window_partial_0_1_23;
+      slice3window_sum_0_24 <= slice3cost_column_0_24 + slice3window_partial_0_1_24;
+      -- slice3winner1
+      slice3winner1_cost_0_0_is_less := slice3window_sum_0_1 < slice3window_sum_0_0;
+      slice3winner1_cost_0_1_is_less := slice3window_sum_0_3 < slice3window_sum_0_2;
+      slice3winner1_cost_0_2_is_less := slice3window_sum_0_5 < slice3window_sum_0_4;
+      slice3winner1_cost_0_3_is_less := slice3window_sum_0_7 < slice3window_sum_0_6;
+      slice3winner1_cost_0_4_is_less := slice3window_sum_0_9 < slice3window_sum_0_8;
+      slice3winner1_cost_0_5_is_less := slice3window_sum_0_11 < slice3window_sum_0_10;
+      slice3winner1_cost_0_6_is_less := slice3window_sum_0_13 < slice3window_sum_0_12;
+      slice3winner1_cost_0_7_is_less := slice3window_sum_0_15 < slice3window_sum_0_14;
+      slice3winner1_cost_0_8_is_less := slice3window_sum_0_17 < slice3window_sum_0_16;
+      slice3winner1_cost_0_9_is_less := slice3window_sum_0_19 < slice3window_sum_0_18;
+      slice3winner1_cost_0_10_is_less := slice3window_sum_0_21 < slice3window_sum_0_20;
+      slice3winner1_cost_0_11_is_less := slice3window_sum_0_23 < slice3window_sum_0_22;
+      slice3winner1_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_cost_0_0_is_less else slice3window_sum_0_0;
+      slice3winner1_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_cost_0_1_is_less else slice3window_sum_0_2;
+      slice3winner1_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_cost_0_2_is_less else slice3window_sum_0_4;
+      slice3winner1_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_cost_0_3_is_less else slice3window_sum_0_6;
+      slice3winner1_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_cost_0_4_is_less else slice3window_sum_0_8;
+      slice3winner1_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_cost_0_5_is_less else slice3window_sum_0_10;
+      slice3winner1_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_cost_0_6_is_less else slice3window_sum_0_12;
+      slice3winner1_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_cost_0_7_is_less else slice3window_sum_0_14;
+      slice3winner1_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_cost_0_8_is_less else slice3window_sum_0_16;
+      slice3winner1_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_cost_0_9_is_less else slice3window_sum_0_18;
+      slice3winner1_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_cost_0_10_is_less else slice3window_sum_0_20;
+      slice3winner1_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_cost_0_11_is_less else slice3window_sum_0_22;
+      slice3winner1_cost_0_12 <= slice3window_sum_0_24;
+      slice3winner1_index_0_0 <= slice3winner1_cost_0_0_is_less;
+      slice3winner1_index_0_1 <= 3 when slice3winner1_cost_0_1_is_less else 2;
+      slice3winner1_index_0_2 <= 5 when slice3winner1_cost_0_2_is_less else 4;
+      slice3winner1_index_0_3 <= 7 when slice3winner1_cost_0_3_is_less else 6;
+      slice3winner1_index_0_4 <= 9 when slice3winner1_cost_0_4_is_less else 8;
+      slice3winner1_index_0_5 <= 11 when slice3winner1_cost_0_5_is_less else 10;
+      slice3winner1_index_0_6 <= 13 when slice3winner1_cost_0_6_is_less else 12;
+      slice3winner1_index_0_7 <= 15 when slice3winner1_cost_0_7_is_less else 14;
+      slice3winner1_index_0_8 <= 17 when slice3winner1_cost_0_8_is_less else 16;
+      slice3winner1_index_0_9 <= 19 when slice3winner1_cost_0_9_is_less else 18;
+      slice3winner1_index_0_10 <= 21 when slice3winner1_cost_0_10_is_less else 20;
+      slice3winner1_index_0_11 <= 23 when slice3winner1_cost_0_11_is_less else 22;
+      -- slice3winner2
+      slice3winner2_cost_0_0_is_less := slice3winner1_cost_0_1 < slice3winner1_cost_0_0;
+      slice3winner2_cost_0_1_is_less := slice3winner1_cost_0_3 < slice3winner1_cost_0_2;
+      slice3winner2_cost_0_2_is_less := slice3winner1_cost_0_5 < slice3winner1_cost_0_4;
+      slice3winner2_cost_0_3_is_less := slice3winner1_cost_0_7 < slice3winner1_cost_0_6;
+      slice3winner2_cost_0_4_is_less := slice3winner1_cost_0_9 < slice3winner1_cost_0_8;
+      slice3winner2_cost_0_5_is_less := slice3winner1_cost_0_11 < slice3winner1_cost_0_10;
+      slice3winner2_cost_0_0 <= slice3winner1_cost_0_1 when slice3winner2_cost_0_0_is_less else slice3winner1_cost_0_0;
+      slice3winner2_cost_0_1 <= slice3winner1_cost_0_3 when slice3winner2_cost_0_1_is_less else slice3winner1_cost_0_2;
+      slice3winner2_cost_0_2 <= slice3winner1_cost_0_5 when slice3winner2_cost_0_2_is_less else slice3winner1_cost_0_4;
+      slice3winner2_cost_0_3 <= slice3winner1_cost_0_7 when slice3winner2_cost_0_3_is_less else slice3winner1_cost_0_6;
+      slice3winner2_cost_0_4 <= slice3winner1_cost_0_9 when slice3winner2_cost_0_4_is_less else slice3winner1_cost_0_8;
+      slice3winner2_cost_0_5 <= slice3winner1_cost_0_11 when slice3winner2_cost_0_5_is_less else
+        slice3winner1_cost_0_10;
+      slice3winner2_cost_0_6 <= slice3winner1_cost_0_12;
+      slice3winner2_index_0_0 <= slice3winner1_index_0_1 when slice3winner2_cost_0_0_is_less else
+        as_number(slice3winner1_index_0_0);
+      slice3winner2_index_0_1 <= slice3winner1_index_0_3 when slice3winner2_cost_0_1_is_less else
+        slice3winner1_index_0_2;
+      slice3winner2_index_0_2 <= slice3winner1_index_0_5 when slice3winner2_cost_0_2_is_less else
+        slice3winner1_index_0_4;
+      slice3winner2_index_0_3 <= slice3winner1_index_0_7 when slice3winner2_cost_0_3_is_less else
+        slice3winner1_index_0_6;
+      slice3winner2_index_0_4 <= slice3winner1_index_0_9 when slice3winner2_cost_0_4_is_less else
+        slice3winner1_index_0_8;
+      slice3winner2_index_0_5 <= slice3winner1_index_0_11 when slice3winner2_cost_0_5_is_less else
+        slice3winner1_index_0_10;
+      -- slice3winner3
+      slice3winner3_cost_0_0_is_less := slice3winner2_cost_0_1 < slice3winner2_cost_0_0;
+      slice3winner3_cost_0_1_is_less := slice3winner2_cost_0_3 < slice3winner2_cost_0_2;
+      slice3winner3_cost_0_2_is_less := slice3winner2_cost_0_5 < slice3winner2_cost_0_4;
+      slice3winner3_cost_0_0 <= slice3winner2_cost_0_1 when slice3winner3_cost_0_0_is_less else slice3winner2_cost_0_0;
+      slice3winner3_cost_0_1 <= slice3winner2_cost_0_3 when slice3winner3_cost_0_1_is_less else slice3winner2_cost_0_2;
+      slice3winner3_cost_0_2 <= slice3winner2_cost_0_5 when slice3winner3_cost_0_2_is_less else slice3winner2_cost_0_4;
+      slice3winner3_cost_0_3 <= slice3winner2_cost_0_6;
+      slice3winner3_index_0_0 <= slice3winner2_index_0_1 when slice3winner3_cost_0_0_is_less else
+        slice3winner2_index_0_0;
+      slice3winner3_index_0_1 <= slice3winner2_index_0_3 when slice3winner3_cost_0_1_is_less else
+        slice3winner2_index_0_2;
+      slice3winner3_index_0_2 <= slice3winner2_index_0_5 when slice3winner3_cost_0_2_is_less else
+        slice3winner2_index_0_4;
+      -- slice3winner4
+      slice3winner4_cost_0_0_is_less := slice3winner3_cost_0_1 < slice3winner3_cost_0_0;
+      slice3winner4_cost_0_1_is_less := slice3winner3_cost_0_3 < slice3winner3_cost_0_2;
+      slice3winner4_cost_0_0 <= slice3winner3_cost_0_1 when slice3winner4_cost_0_0_is_less else slice3winner3_cost_0_0;
+      slice3winner4_cost_0_1 <= slice3winner3_cost_0_3 when slice3winner4_cost_0_1_is_less else slice3winner3_cost_0_2;
+      slice3winner4_index_0_0 <= slice3winner3_index_0_1 when slice3winner4_cost_0_0_is_less else
+        slice3winner3_index_0_0;
+      slice3winner4_index_0_1 <= slice0winner3_index_0_3 when slice3winner4_cost_0_1_is_less else
+        slice3winner3_index_0_2;
+      -- slice3winner5
+      slice3winner5_cost_0_0 <= slice3winner4_cost_0_0 when slice3winner4_cost_0_0 < slice3winner4_cost_0_1 else
+        slice3winner4_cost_0_1;
+      slice3winner5_index_0_0 <= slice3winner4_index_0_1 when slice3winner4_cost_0_1 < slice3winner4_cost_0_0 else
+        slice3winner4_index_0_0;
+      -- slice3best
+      slice3best_disparity_0 <= slice2best_disparity_0 when slice2best_cost_0 < slice3winner5_cost_0_0 else
+        slice3winner5_index_0_0;
+      slice3best_tag_valid <= slice2best_tag_valid;
+      slice3best_tag_output_column <= slice2best_tag_output_column;
+      slice3best_tag_start_of_frame <= slice2best_tag_start_of_frame;
+      slice3best_tag_end_of_line <= slice2best_tag_end_of_line;
       if reset = '1' then
         raster_valid <= false;
         raster_column <= 0;
-        raster_row <= 241;
+        raster_group <= 241;
         raster_next_frame <= false;
         reference_read_address <= 1;
         reference_write_address <= 0;
@@ -2065,50 +3330,80 @@ begin
         reference_tag_output_column <= false;
         reference_tag_start_of_frame <= false;
         reference_tag_end_of_line <= false;
-        rows_write_column <= 0;
-        rows_tag_before_valid <= false;
-        rows_tag_before_output_column <= false;
-        rows_tag_before_start_of_frame <= false;
-        rows_tag_before_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
         rows_tag_valid <= false;
         rows_tag_output_column <= false;
         rows_tag_start_of_frame <= false;
         rows_tag_end_of_line <= false;
-        shift_tag_valid <= false;
-        shift_tag_output_column <= false;
-        shift_tag_start_of_frame <= false;
-        shift_tag_end_of_line <= false;
-        cost_tag_before_valid <= false;
-        cost_tag_before_output_column <= false;
-        cost_tag_before_start_of_frame <= false;
-        cost_tag_before_end_of_line <= false;
-        cost_tag_valid <= false;
-        cost_tag_output_column <= false;
-        cost_tag_start_of_frame <= false;
-        cost_tag_end_of_line <= false;
-        window_centre_0_output_column <= false;
-        window_centre_0_start_of_frame <= false;
-        window_centre_0_end_of_line <= false;
-        window_tag_valid <= false;
-        window_tag_output_column <= false;
-        window_tag_start_of_frame <= false;
-        window_tag_end_of_line <= false;
-        winner1_tag_valid <= false;
-        winner1_tag_output_column <= false;
-        winner1_tag_start_of_frame <= false;
-        winner1_tag_end_of_line <= false;
-        winner2_tag_valid <= false;
-        winner2_tag_output_column <= false;
-        winner2_tag_start_of_frame <= false;
-        winner2_tag_end_of_line <= false;
-        winner3_tag_valid <= false;
-        winner3_tag_output_column <= false;
-        winner3_tag_start_of_frame <= false;
-        winner3_tag_end_of_line <= false;
-        winner4_tag_valid <= false;
-        winner4_tag_output_column <= false;
-        winner4_tag_start_of_frame <= false;
-        winner4_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_0_output_column <= false;
+        slice0window_centre_0_start_of_frame <= false;
+        slice0window_centre_0_end_of_line <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
+        slice0best_tag_valid <= false;
+        slice0best_tag_output_column <= false;
+        slice0best_tag_start_of_frame <= false;
+        slice0best_tag_end_of_line <= false;
+        slice1best_tag_valid <= false;
+        slice1best_tag_output_column <= false;
+        slice1best_tag_start_of_frame <= false;
+        slice1best_tag_end_of_line <= false;
+        slice2best_tag_valid <= false;
+        slice2best_tag_output_column <= false;
+        slice2best_tag_start_of_frame <= false;
+        slice2best_tag_end_of_line <= false;
+        slice3best_tag_valid <= false;
+        slice3best_tag_output_column <= false;
+        slice3best_tag_start_of_frame <= false;
+        slice3best_tag_end_of_line <= false;
       end if;
     end if;
   end process;

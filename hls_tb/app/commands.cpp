@@ -43,16 +43,25 @@ std::string text_of(const Content& content, Writer write) {
    return out.str();
 }
 
+/// Of the delay of the right image and of the line memories of both.
+int memory_bits(const StereoConfig& config) {
+   return config.disparities * 8 * config.pixels_per_clock + 2 * config.width_px * 8 * config.stored_rows();
+}
+
 nlohmann::json as_json(const Configuration& entry) {
    const StereoConfig& config = entry.config;
    return {{"width_px", config.width_px},
            {"height_px", config.height_px},
            {"disparities", config.disparities},
            {"window_px", config.window_px},
+           {"pixels_per_clock", config.pixels_per_clock},
+           {"slice_disparities", config.slice_disparities},
+           {"cost_clocks", config.cost_clocks},
            {"winner_group", config.winner_group},
            {"output_width_px", config.output_width_px()},
            {"output_height_px", config.output_height_px()},
-           {"latency_clocks", entry.latency_clocks}};
+           {"latency_clocks", entry.latency_clocks},
+           {"memory_bits", memory_bits(config)}};
 }
 
 }  // namespace
@@ -121,7 +130,8 @@ void vectors(const VectorsArguments& arguments) {
    const ImagePair pair =
        fit_pair(load_pair(arguments.left, arguments.right), config.width_px, config.height_px, arguments.fit);
    const Stimulus stimulus = make_stimulus(configuration.name, config, configuration.latency_clocks, pair, options);
-   const Expected expected{configuration.name, configuration.latency_clocks, configuration.run(stimulus.clocks)};
+   const Expected expected{configuration.name, config.pixels_per_clock, configuration.latency_clocks,
+                           configuration.run(stimulus.clocks)};
    OutputFolder out(arguments.out);
    out.add("stimulus.txt", text_of(stimulus, write_stimulus));
    out.add("expected.txt", text_of(expected, write_expected));
@@ -133,13 +143,14 @@ void trace(const TraceArguments& arguments) {
    constexpr int kStallPercent = 20;
    constexpr uint64_t kSeed = 1;
    const Configuration& configuration = require_configuration(arguments.config);
-   StimulusWriter writer(kStallPercent, kSeed);
+   const int pixels = configuration.config.pixels_per_clock;
+   StimulusWriter writer(pixels, kStallPercent, kSeed);
    writer.bubbles(4);
-   writer.pair(0x5a, 0xa5, true);
-   writer.random_pairs(arguments.clocks);
+   writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});
+   writer.random_records(arguments.clocks);
    writer.clocks.resize(std::size_t(arguments.clocks));
    std::ostringstream text;
-   configuration.trace({configuration.name, writer.clocks}, text);
+   configuration.trace({configuration.name, pixels, writer.clocks}, text);
    OutputFolder out(arguments.out);
    out.add("trace.txt", text.str());
    out.commit();

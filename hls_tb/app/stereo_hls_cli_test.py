@@ -82,18 +82,24 @@ def test_configurations_as_json():
     assert list(table) == sorted(table)
     tiny = table["tiny"]
     assert (tiny["width_px"], tiny["height_px"], tiny["disparities"]) == (WIDTH, HEIGHT, DISPARITIES)
-    keys = {"width_px", "height_px", "disparities", "window_px", "winner_group", "output_width_px", "output_height_px",
-            "latency_clocks"}
+    keys = {"width_px", "height_px", "disparities", "window_px", "pixels_per_clock", "slice_disparities", "cost_clocks",
+            "winner_group", "output_width_px", "output_height_px", "latency_clocks", "memory_bits"}
     for values in table.values():
         assert values.keys() == keys
         assert values["output_width_px"] == values["width_px"] - values["disparities"]
+    assert [table[name]["pixels_per_clock"] for name in ("tiny", "tiny_p2", "tiny_p4")] == [1, 2, 4]
+    # The right image's delay, and 2 stored rows of both images; 5 of them with 4 rows at once.
+    assert tiny["memory_bits"] == DISPARITIES * 8 + 2 * WIDTH * 8 * 2
+    assert table["tiny_p4"]["memory_bits"] == DISPARITIES * 8 * 4 + 2 * WIDTH * 8 * 5
 
 
 def test_configurations_as_text():
     assert "tiny: 32x12, 8 disparities" in succeed("configurations")
 
 
-def test_match_engines_agree(tmp_path, match):
+@pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4"])
+def test_match_engines_agree(tmp_path, match, config):
+    match = changed(match, "--config", config)
     fast = succeed(*match, "--engine", "fast")
     clocked = succeed(*changed(match, "--out", tmp_path / "clocked"), "--engine", "clocked")
     assert "32x12" in fast and "fast model" in fast and " ms" in fast
@@ -158,32 +164,95 @@ def test_scene_fits_a_configuration(tmp_path):
     assert "32x12" in succeed("match", "--config", "tiny", "--engine", "clocked", *pair, "--out", tmp_path / "m")
 
 
-def vectors(tmp_path, pair, *options):
-    succeed("vectors", "--config", "tiny", *pair, "--out", tmp_path / "v", *options)
+def vectors(tmp_path, pair, *options, config="tiny"):
+    succeed("vectors", "--config", config, *pair, "--out", tmp_path / "v", *options)
     return [(tmp_path / "v" / name).read_text().splitlines() for name in ("stimulus.txt", "expected.txt")]
 
 
-def test_vectors_first_lines_and_counts(tmp_path, pair):
-    stimulus, expected = vectors(tmp_path, pair)
-    latency = json.loads(succeed("configurations", "--json"))["tiny"]["latency_clocks"]
-    clocks = WIDTH * HEIGHT + WIDTH + 1 + latency + 4
-    assert stimulus[0] == f"stereo-hls stimulus 1 config=tiny clocks={clocks}"
-    assert expected[0] == f"stereo-hls expected 1 config=tiny outputs={24 * 12} latency={latency}"
-    assert len(stimulus) == clocks + 1 and len(expected) == 24 * 12 + 1
-    assert stimulus[1].startswith("3 ")
+@pytest.mark.parametrize("config, pixels", [("tiny", 1), ("tiny_p2", 2), ("tiny_p4", 4)])
+def test_vectors_first_lines_and_counts(tmp_path, pair, config, pixels):
+    stimulus, expected = vectors(tmp_path, pair, config=config)
+    latency = json.loads(succeed("configurations", "--json"))[config]["latency_clocks"]
+    groups = HEIGHT // pixels
+    clocks = WIDTH * groups + WIDTH + 1 + latency + 4
+    assert stimulus[0] == f"stereo-hls stimulus 1 config={config} pixels={pixels} clocks={clocks}"
+    assert expected[0] == f"stereo-hls expected 1 config={config} pixels={pixels} outputs={24 * groups} latency={latency}"
+    assert len(stimulus) == clocks + 1 and len(expected) == 24 * groups + 1
+    assert stimulus[1].startswith("3 ") and len(stimulus[1]) == 3 + 4 * pixels
     assert expected[1].split()[1:4] == ["0", "0", "0"] and expected[1].split()[5] == "1"
-    assert expected[-1].split()[1:4] == ["23", "11", "0"] and expected[-1].split()[5] == "2"
+    assert expected[-1].split()[1:4] == ["23", str(HEIGHT - pixels), "0"] and expected[-1].split()[5] == "2"
+    assert len(expected[-1].split()[4]) == 2 * pixels
+
+
+def test_vectors_of_several_rows_at_once_hold_the_same(tmp_path, pair):
+    def rows_of(lines, pixels, left_to_right):
+        """The words of `left_to_right` records a group, taken apart into rows: [y][x]."""
+        rows = []
+        for start in range(0, len(lines), left_to_right):
+            group = lines[start:start + left_to_right]
+            rows += [[word[2 * (pixels - 1 - p):][:2] for word in group] for p in range(pixels)]
+        return rows
+
+    seen = []
+    for config, pixels in (("tiny", 1), ("tiny_p4", 4)):
+        stimulus, expected = vectors(tmp_path, pair, config=config)
+        image = [line.split() for line in stimulus[1:1 + WIDTH * HEIGHT // pixels]]
+        seen.append([rows_of([line[1] for line in image], pixels, WIDTH),
+                     rows_of([line[2] for line in image], pixels, WIDTH),
+                     rows_of([line.split()[4] for line in expected[1:]], pixels, WIDTH - DISPARITIES)])
+    assert seen[0] == seen[1]
+    assert seen[0][0] == [[f"{v:02x}" for v in (tmp_path / "l.pgm").read_bytes()[-WIDTH * HEIGHT:][y * WIDTH:][:WIDTH]]
+                          for y in range(HEIGHT)]
 
 
 def test_vectors_of_rows_frames_and_stalls(tmp_path, pair):
     stimulus, expected = vectors(tmp_path, pair, "--rows", "2:6")
     assert sum(line[0] in "13" for line in stimulus[1:]) == WIDTH * 4
     assert len(expected) - 1 == 24 * 3
+    stimulus, expected = vectors(tmp_path, pair, "--rows", "1:9", config="tiny_p4")
+    assert sum(line[0] in "13" for line in stimulus[1:]) == WIDTH * 2
+    assert len(expected) - 1 == 24
     _, expected = vectors(tmp_path, pair, "--frames", 2, "--stall-percent", 30)
     assert len(expected) - 1 == 2 * 24 * 12
     assert expected[-1].split()[3] == "1"
     assert vectors(tmp_path, pair, "--stall-percent", 30, "--seed", 5) != vectors(
         tmp_path, pair, "--stall-percent", 30, "--seed", 6)
+
+
+@pytest.mark.parametrize("rows, says", [("0:6", "a multiple of the 4 pixels per clock"), ("0:4", "at least 8 rows")])
+def test_vectors_of_rows_that_are_no_groups(tmp_path, pair, rows, says):
+    fail(tmp_path, "vectors", "--config", "tiny_p4", *pair, "--out", tmp_path / "v", "--rows", rows, says=[rows, says])
+
+
+def trace_columns(tmp_path, config):
+    succeed("trace", "--config", config, "--clocks", 300, "--out", tmp_path / "t")
+    lines = (tmp_path / "t" / "trace.txt").read_text().splitlines()
+    assert lines[0] == f"stereo-hls trace 1 config={config} clocks=300" and len(lines) == 302
+    rows = [line.split() for line in lines[2:]]
+    names = lines[1].split()
+    assert len(set(names)) == len(names)
+    assert {len(row) for row in rows} == {len(names)}
+    return dict(zip(names, zip(*([int(value, 16) for value in row] for row in rows))))
+
+
+@pytest.mark.parametrize("config, pixels", [("tiny", 1), ("tiny_p2", 2), ("tiny_p4", 4)])
+def test_trace_names_what_the_registers_show(tmp_path, config, pixels):
+    trace = trace_columns(tmp_path, config)
+    lanes = [trace[f"raster_left_{p}"] for p in range(pixels)]
+    words = [sum(value << 8 * p for p, value in enumerate(column)) for column in zip(*lanes)]
+    assert words[1:] == list(trace["in_left_pixel"][:-1])  # a register shows its input one clock later
+    assert trace["raster_right"][1:] == trace["in_right_pixel"][:-1]
+    assert trace["slice0shift_right_1"][1:] == trace["rows_right_1"][:-1]
+    difference = trace["slice0cost_difference_1_0"]
+    left, right = trace["slice0shift_left_1_0"], trace["slice0shift_right_1"]
+    assert list(difference[1:]) == [a - b for a, b in zip(left, right)][:-1]
+    assert min(difference) < 0 < max(difference)
+    # 8 disparities in slices of 3, 3 and 2; two levels of winners.
+    for name in ("slice2shift_left_out_0", "slice2winner2_index_0_0", "slice2best_disparity_0", "slice0window_partial_0_1_2",
+                 "slice0window_centre_0_valid", "slice0best_tag_end_of_line", "rows_ready_tag_border_column"):
+        assert name in trace
+    assert not any(name.startswith("slice3") for name in trace)
+    assert f"slice2best_cost_{pixels - 1}" in trace and f"slice2best_cost_{pixels}" not in trace
 
 
 def test_missing_and_unreadable_files(tmp_path, match):

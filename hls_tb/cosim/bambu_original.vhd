@@ -10,11 +10,11 @@ entity stereo_core is
   port (
     clock : in std_logic;
     reset : in std_logic;
-    left_pixel : in std_logic_vector(7 downto 0);
-    right_pixel : in std_logic_vector(7 downto 0);
+    left_pixel : in std_logic_vector;
+    right_pixel : in std_logic_vector;
     start_of_frame : in std_logic;
     valid : in std_logic;
-    disparity : out std_logic_vector(7 downto 0);
+    disparity : out std_logic_vector;
     disparity_valid : out std_logic;
     disparity_start_of_frame : out std_logic;
     disparity_end_of_line : out std_logic

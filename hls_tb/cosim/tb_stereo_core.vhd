@@ -10,13 +10,14 @@ entity tb_stereo_core is
   generic (
     stimulus_file  : string;
     observed_file  : string;
+    pixels         : positive := 1;  -- pixel pairs a clock
     progress_clocks : positive := 1000
   );
 end entity;
 
 architecture sim of tb_stereo_core is
   signal clock, reset, start_of_frame, valid : std_logic := '0';
-  signal left_pixel, right_pixel, disparity : std_logic_vector(7 downto 0);
+  signal left_pixel, right_pixel, disparity : std_logic_vector(8 * pixels - 1 downto 0);
   signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
 begin
   dut : entity work.stereo_core
@@ -31,7 +32,7 @@ begin
     file stimulus, observed : text;
     variable stimulus_line, observed_line, progress_line : line;
     variable flags : std_logic_vector(3 downto 0);
-    variable left_value, right_value : std_logic_vector(7 downto 0);
+    variable left_value, right_value : std_logic_vector(8 * pixels - 1 downto 0);
     variable clock_count : natural := 0;
 
     procedure clock_edge is
@@ -53,7 +54,7 @@ begin
         write(observed_line, string'(" X X"));
       else
         flags := "00" & disparity_end_of_line & disparity_start_of_frame;
-        write(observed_line, " " & to_string(to_integer(unsigned(disparity))));
+        write(observed_line, " " & to_hstring(disparity));
         write(observed_line, " " & to_string(to_integer(unsigned(flags))));
       end if;
       writeline(observed, observed_line);

@@ -53,6 +53,12 @@ class Wave {
 #endif
 };
 
+/// Ports are as wide as the pixels of one clock.
+template <class Port>
+void drive(Port& port, unsigned value) {
+   port = static_cast<Port>(value);
+}
+
 void clock_edge(Vstereo_core& model, Wave& wave, long clock) {
    model.clock = 0;
    model.eval();
@@ -90,12 +96,12 @@ int main(int argc, char** argv) {
    while (std::fscanf(stimulus, "%x %x %x", &flags, &left, &right) == 3) {
       model.valid = flags & 1;
       model.start_of_frame = flags >> 1 & 1;
-      model.left_pixel = static_cast<unsigned char>(left);
-      model.right_pixel = static_cast<unsigned char>(right);
+      drive(model.left_pixel, left);
+      drive(model.right_pixel, right);
       model.clock = 0;
       model.eval();
       if (model.disparity_valid)
-         std::fprintf(observed, "%ld %u %u\n", clock, unsigned{model.disparity},
+         std::fprintf(observed, "%ld %x %u\n", clock, unsigned{model.disparity},
                       model.disparity_start_of_frame | model.disparity_end_of_line << 1);
       clock_edge(model, wave, clock);
       if (++clock % kProgressClocks == 0) std::printf("progress %ld\n", clock), std::fflush(stdout);

@@ -5,27 +5,32 @@
 #include <ostream>
 #include <string>
 
+#include "vectors/pixel_word.hpp"
 #include "vectors/register_names.hpp"
 #include "vectors/stimulus.hpp"
 
 namespace stereo {
 
 /// Writes what every port and register of a core shows in each clock, before the clock edge:
-/// "stereo-hls trace 1 config=NAME clocks=N", a line with the names, then N lines of hexadecimal values.
+/// "stereo-hls trace 1 config=NAME clocks=N", a line with the names, then N lines of hexadecimal values,
+/// -1f for -31. Pixel ports are words as in the vector files.
 template <const StereoConfig& C>
 void trace_core(const Stimulus& stimulus, std::ostream& out) {
    const auto memories = std::make_unique<StereoMemories<C>>();
-   const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->rows);
+   const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->left_rows, memories->right_rows);
    out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n'
        << "in_left_pixel in_right_pixel in_start_of_frame in_valid "
           "out_disparity out_disparity_valid out_disparity_start_of_frame out_disparity_end_of_line";
-   for_each_register(*core, [&out](const std::string& name, uint64_t) { out << ' ' << name; });
+   for_each_register(*core, [&out](const std::string& name, int64_t) { out << ' ' << name; });
    out << '\n' << std::hex;
    for (const StereoInput& in : stimulus.clocks) {
       const StereoOutput shown = core->output();
-      out << +in.left << ' ' << +in.right << ' ' << in.start_of_frame << ' ' << in.valid << ' ' << +shown.disparity
-          << ' ' << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
-      for_each_register(*core, [&out](const std::string&, uint64_t value) { out << ' ' << value; });
+      const auto word = [](const uint8_t(&lanes)[kMostPixels]) { return pixel_word(lanes, C.pixels_per_clock); };
+      out << word(in.left) << ' ' << word(in.right) << ' ' << in.start_of_frame << ' ' << in.valid << ' '
+          << word(shown.disparity) << ' ' << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
+      for_each_register(*core, [&out](const std::string&, int64_t value) {
+         out << (value < 0 ? " -" : " ") << (value < 0 ? -value : value);
+      });
       out << '\n';
       core->clock(in);
    }

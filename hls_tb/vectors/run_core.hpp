@@ -13,9 +13,9 @@ namespace stereo {
 template <const StereoConfig& C, class Observer>
 std::vector<CoreOutput> run_core(const std::vector<StereoInput>& clocks, Observer observe) {
    const auto memories = std::make_unique<StereoMemories<C>>();
-   const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->rows);
+   const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->left_rows, memories->right_rows);
    std::vector<CoreOutput> outputs;
-   OutputLocator locator;
+   OutputLocator locator(C.pixels_per_clock);
    for (uint64_t clock = 0; clock < clocks.size(); ++clock) {
       const StereoOutput output = core->clock(clocks[clock]);
       if (output.valid) outputs.push_back(locator.locate(clock, output));

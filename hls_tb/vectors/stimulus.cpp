@@ -8,6 +8,13 @@ namespace {
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
+/// Rows of the smallest crop that gives an output: the first one comes when the window around column 0 of the first group
+/// is complete.
+int least_rows(const StereoConfig& config) {
+   const int records = config.delay_groups() * config.width_px + config.disparities + config.radius_px();
+   return (records + config.width_px - 1) / config.width_px * config.pixels_per_clock;
+}
+
 void check(const std::string& name, const StereoConfig& config, const ImagePair& pair, const StimulusOptions& options,
            RowRange rows) {
    const auto require = [](bool condition, const std::string& sentence) {
@@ -22,51 +29,66 @@ void check(const std::string& name, const StereoConfig& config, const ImagePair&
    const std::string range = "the row range " + std::to_string(rows.first) + ":" + std::to_string(rows.end);
    require(rows.first >= 0 && rows.first < rows.end && rows.end <= config.height_px,
            range + " must lie within 0:" + std::to_string(config.height_px) + " and not be empty");
-   require(rows.end - rows.first > config.radius_px(),
-           range + " would give no output: send at least " + std::to_string(config.radius_px() + 1) + " rows");
+   const int group = config.pixels_per_clock, least = least_rows(config), count = rows.end - rows.first;
+   require(count % group == 0, range + " has " + std::to_string(count) + " rows but must have a multiple of the " +
+                                   std::to_string(group) + " pixels per clock");
+   require(count >= least, range + " would give no output: send at least " + std::to_string(least) + " rows");
 }
 
 }  // namespace
 
-void StimulusWriter::pair(uint8_t left, uint8_t right, bool start_of_frame) {
+void StimulusWriter::record(const StereoInput& in) {
    while (random_.percent(stall_percent_)) bubbles(1);
-   clocks.push_back({.left = left, .right = right, .start_of_frame = start_of_frame, .valid = true});
+   clocks.push_back(in);
 }
 
 void StimulusWriter::rows(const ImagePair& images, RowRange range, bool upside_down) {
-   for (int y = range.first; y < range.end; ++y) {
-      const int row = upside_down ? images.left.height - 1 - y : y;
-      for (int x = 0; x < images.left.width; ++x)
-         pair(images.left.at(x, row), images.right.at(x, row), x == 0 && y == range.first);
-   }
+   for (int group = range.first; group < range.end; group += pixels_per_clock_)
+      for (int x = 0; x < images.left.width; ++x) {
+         StereoInput in{.start_of_frame = x == 0 && group == range.first, .valid = true};
+         for (int p = 0; p < pixels_per_clock_; ++p) {
+            const int y = upside_down ? images.left.height - 1 - (group + p) : group + p;
+            in.left[p] = images.left.at(x, y);
+            in.right[p] = images.right.at(x, y);
+         }
+         record(in);
+      }
 }
 
-void StimulusWriter::random_pairs(int count) {
+void StimulusWriter::random_records(int count) {
    for (int i = 0; i < count; ++i) {
-      const uint8_t left = random_.byte();
-      pair(left, random_.byte(), false);
+      StereoInput in = garbage();
+      in.valid = true;
+      record(in);
    }
 }
 
 void StimulusWriter::bubbles(int count) {
    for (int i = 0; i < count; ++i) {
-      const uint32_t garbage = random_.bits();
-      clocks.push_back({.left = uint8_t(garbage),
-                        .right = uint8_t(garbage >> 8),
-                        .start_of_frame = (garbage >> 16 & 1) != 0,
-                        .valid = false});
+      StereoInput in = garbage();
+      in.start_of_frame = random_.percent(50);
+      clocks.push_back(in);
    }
+}
+
+StereoInput StimulusWriter::garbage() {
+   StereoInput in;
+   for (int p = 0; p < pixels_per_clock_; ++p) {
+      in.left[p] = random_.byte();
+      in.right[p] = random_.byte();
+   }
+   return in;
 }
 
 Stimulus make_stimulus(const std::string& config_name, const StereoConfig& config, int latency_clocks,
                        const ImagePair& pair, const StimulusOptions& options) {
    const RowRange rows = options.rows.value_or(RowRange{0, config.height_px});
    check(config_name, config, pair, options, rows);
-   StimulusWriter writer(options.stall_percent, options.seed);
+   StimulusWriter writer(config.pixels_per_clock, options.stall_percent, options.seed);
    for (int frame = 0; frame < options.frames; ++frame) writer.rows(pair, rows, frame % 2 == 1);
    if (rows.end - rows.first == config.height_px) writer.flush(config);
    writer.drain(latency_clocks);
-   return {config_name, std::move(writer.clocks)};
+   return {config_name, config.pixels_per_clock, std::move(writer.clocks)};
 }
 
 CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
@@ -74,7 +96,7 @@ CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
                       .x = last_.x + 1,
                       .y = last_.y,
                       .frame = last_.frame,
-                      .disparity = output.disparity,
+                      .disparity = std::to_array(output.disparity),
                       .start_of_frame = output.start_of_frame,
                       .end_of_line = output.end_of_line};
    if (output.start_of_frame) {
@@ -82,7 +104,7 @@ CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
       ++located.frame;
    } else if (last_.end_of_line) {
       located.x = 0;
-      ++located.y;
+      located.y += pixels_per_clock_;
    }
    last_ = located;
    return located;
@@ -90,24 +112,25 @@ CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
 
 std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, const StereoConfig& config) {
    const int width = config.output_width_px(), height = config.output_height_px();
-   const std::size_t frame_size = std::size_t(width) * std::size_t(height);
+   const std::size_t columns = std::size_t(width), frame_size = columns * std::size_t(config.row_groups());
    if (outputs.size() % frame_size != 0)
       throw std::runtime_error("the core gave " + std::to_string(outputs.size()) +
-                               " outputs, which is no multiple of " + size_text(width, height));
+                               " outputs, which is no multiple of " + size_text(width, config.row_groups()));
    std::vector<GrayImage> frames;
    for (std::size_t i = 0; i < outputs.size(); ++i) {
       const CoreOutput& output = outputs[i];
-      const std::size_t pixel = i % frame_size;
-      const int x = int(pixel % std::size_t(width)), y = int(pixel / std::size_t(width));
+      const std::size_t place = i % frame_size;
+      const int x = int(place % columns), y = int(place / columns) * config.pixels_per_clock;
       const bool in_place = output.x == x && output.y == y && output.frame == int(i / frame_size) &&
-                            output.start_of_frame == (pixel == 0) && output.end_of_line == (x == width - 1);
+                            output.start_of_frame == (place == 0) && output.end_of_line == (x == width - 1);
       if (!in_place)
          throw std::runtime_error("output " + std::to_string(i) + " stands at x=" + std::to_string(output.x) +
                                   " y=" + std::to_string(output.y) + " of frame " + std::to_string(output.frame) +
                                   " but belongs at x=" + std::to_string(x) + " y=" + std::to_string(y) + " of frame " +
                                   std::to_string(i / frame_size));
-      if (pixel == 0) frames.emplace_back(width, height);
-      frames.back().at(x, y) = output.disparity;
+      if (place == 0) frames.emplace_back(width, height);
+      for (int p = 0; p < config.pixels_per_clock; ++p)
+         frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
    }
    return frames;
 }

@@ -2,6 +2,7 @@
 // What goes into a core and what comes out of it, clock by clock.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,16 +17,17 @@ namespace stereo {
 
 /// The inputs of a core, one record a clock.
 struct Stimulus {
-   std::string config;  ///< the configuration's name
+   std::string config;    ///< the configuration's name
+   int pixels_per_clock;  ///< lanes in use, 1, 2 or 4; lane p holds row p of a group of rows
    std::vector<StereoInput> clocks;
 };
 
-/// A valid output of a core.
+/// A valid output of a core: one column of a group of rows.
 struct CoreOutput {
    uint64_t clock = 0;  ///< 0-based index of the clock() call that returned it
-   int x = -1, y = -1;  ///< by start of frame and ends of lines, not by the clock
+   int x = -1, y = -1;  ///< of lane 0, by start of frame and ends of lines, not by the clock
    int frame = -1;      ///< from 0; -1 before the first start of frame
-   uint8_t disparity = 0;
+   std::array<uint8_t, kMostPixels> disparity{};  ///< [p]: at (x, y + p)
    bool start_of_frame = false;
    bool end_of_line = false;
 
@@ -34,7 +36,8 @@ struct CoreOutput {
 
 struct Expected {
    std::string config;
-   int latency_clocks = 0;
+   int pixels_per_clock;
+   int latency_clocks;
    std::vector<CoreOutput> outputs;
 };
 
@@ -51,25 +54,31 @@ struct StimulusOptions {
    uint64_t seed = 1;                            ///< of the bubbles, of their garbage and of the flush rows
 };
 
-/// Puts pixel pairs and bubbles in a row. Bubbles carry garbage.
+/// Puts records and bubbles in a row. Bubbles and flush records carry garbage on the lanes in use; the other lanes are 0.
 class StimulusWriter {
   public:
-   StimulusWriter(int stall_percent, uint64_t seed) : stall_percent_(stall_percent), random_(seed) {}
+   StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed)
+       : pixels_per_clock_(pixels_per_clock), stall_percent_(stall_percent), random_(seed) {}
 
-   /// Random bubbles, then the pair.
-   void pair(uint8_t left, uint8_t right, bool start_of_frame);
-   /// These rows of the images as the top of a frame; upside down: row y is the y-th from below.
+   /// Random bubbles, then the record.
+   void record(const StereoInput& in);
+   /// These rows of the images as the top of a frame, a whole number of groups; upside down: row y is the y-th from below.
    void rows(const ImagePair& images, RowRange range, bool upside_down = false);
-   void random_pairs(int count);
+   void random_records(int count);
    void bubbles(int count);
-   /// The r*W + r random pairs that bring out the last rows of a frame.
-   void flush(const StereoConfig& config) { random_pairs(config.radius_px() * (config.width_px + 1)); }
+   /// The random records that bring out the last rows of a frame.
+   void flush(const StereoConfig& config) {
+      random_records(config.delay_groups() * config.width_px + config.radius_px());
+   }
    /// Enough bubbles to empty the pipeline.
    void drain(int latency_clocks) { bubbles(latency_clocks + 4); }
 
    std::vector<StereoInput> clocks;
 
   private:
+   StereoInput garbage();
+
+   int pixels_per_clock_;
    int stall_percent_;
    Random random_;
 };
@@ -82,9 +91,11 @@ Stimulus make_stimulus(const std::string& config_name, const StereoConfig& confi
 /// Gives the outputs of a core their places, in the order in which they come.
 class OutputLocator {
   public:
+   explicit OutputLocator(int pixels_per_clock) : pixels_per_clock_(pixels_per_clock) {}
    CoreOutput locate(uint64_t clock, const StereoOutput& output);
 
   private:
+   int pixels_per_clock_;
    CoreOutput last_;
 };
 

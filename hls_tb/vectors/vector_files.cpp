@@ -6,6 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "vectors/pixel_word.hpp"
+
 namespace stereo {
 namespace {
 
@@ -64,46 +66,66 @@ class LineReader {
    int number_ = 0;
 };
 
-int hex_digit(char digit) {
-   for (int value = 0; value < 16; ++value)
-      if (kHexDigits[value] == digit) return value;
-   return -1;
+/// The text of a word of P pixels.
+std::string word_text(std::span<const uint8_t, kMostPixels> lanes, int pixels) {
+   const uint32_t word = pixel_word(lanes, pixels);
+   std::string text;
+   for (int bit = 8 * pixels - 4; bit >= 0; bit -= 4) text += kHexDigits[word >> bit & 15];
+   return text;
 }
 
-StereoInput parse_clock(const LineReader& reader, const std::string& line) {
-   constexpr std::string_view kForm = "F LL RR";
-   std::array<int, kForm.size()> digits{};
-   bool good = line.size() == kForm.size();
-   for (std::size_t i = 0; good && i < kForm.size(); ++i) {
-      digits[i] = hex_digit(line[i]);
-      good = kForm[i] == ' ' ? line[i] == ' ' : digits[i] >= 0;
-   }
-   if (!good || digits[0] > 3) reader.fail("\"" + line + "\" is not of the form \"F LL RR\" with F = 0 ... 3");
-   return {.left = uint8_t(digits[2] * 16 + digits[3]),
-           .right = uint8_t(digits[5] * 16 + digits[6]),
-           .start_of_frame = (digits[0] & 2) != 0,
-           .valid = (digits[0] & 1) != 0};
+/// Sets the lanes; false where the text is not a word of P pixels.
+bool parse_word(std::string_view text, int pixels, std::span<uint8_t, kMostPixels> lanes) {
+   if (text.size() != 2 * std::size_t(pixels) || text.find_first_not_of(kHexDigits) != std::string_view::npos) return false;
+   uint32_t word = 0;
+   std::from_chars(text.data(), text.data() + text.size(), word, 16);
+   set_lanes(lanes, word);
+   return true;
 }
 
-CoreOutput parse_output(const LineReader& reader, const std::string& line) {
+int parse_pixels(const LineReader& reader, std::string& rest) {
+   const int pixels = reader.number<int>(reader.field("pixels", rest));
+   if (pixels != 1 && pixels != 2 && pixels != 4)
+      reader.fail("pixels=" + std::to_string(pixels) + " but 1, 2 or 4 pixel pairs can enter in a clock");
+   return pixels;
+}
+
+StereoInput parse_clock(const LineReader& reader, const std::string& line, int pixels) {
+   const std::size_t digits = 2 * std::size_t(pixels), right = digits + 3;
+   const std::string_view text = line;
+   StereoInput in;
+   const bool good = text.size() == right + digits && text[0] >= '0' && text[0] <= '3' && text[1] == ' ' &&
+                     text[right - 1] == ' ' && parse_word(text.substr(2, digits), pixels, in.left) &&
+                     parse_word(text.substr(right), pixels, in.right);
+   if (!good)
+      reader.fail("\"" + line + "\" is not of the form \"F " + std::string(digits, 'L') + " " +
+                  std::string(digits, 'R') + "\" with F = 0 ... 3");
+   in.valid = ((text[0] - '0') & 1) != 0;
+   in.start_of_frame = ((text[0] - '0') & 2) != 0;
+   return in;
+}
+
+CoreOutput parse_output(const LineReader& reader, const std::string& line, int pixels) {
    std::array<std::string_view, 6> fields;
    std::string_view rest = line;
    for (std::size_t i = 0; i < fields.size(); ++i) {
       const std::size_t blank = rest.find(' ');
       if ((blank == std::string_view::npos) != (i + 1 == fields.size()))
-         reader.fail("\"" + line + "\" does not have the six numbers \"clock x y frame disparity flags\"");
+         reader.fail("\"" + line + "\" does not have the six values \"clock x y frame WORD flags\"");
       fields[i] = rest.substr(0, blank);
       if (blank != std::string_view::npos) rest.remove_prefix(blank + 1);
    }
    const auto flags = reader.number<unsigned>(fields[5]);
    if (flags > 3) reader.fail("flags are " + std::to_string(flags) + " but must be 0 ... 3");
-   return {.clock = reader.number<uint64_t>(fields[0]),
-           .x = reader.number<int>(fields[1]),
-           .y = reader.number<int>(fields[2]),
-           .frame = reader.number<int>(fields[3]),
-           .disparity = reader.number<uint8_t>(fields[4]),
-           .start_of_frame = (flags & 1) != 0,
-           .end_of_line = (flags & 2) != 0};
+   CoreOutput output{.clock = reader.number<uint64_t>(fields[0]),
+                     .x = reader.number<int>(fields[1]),
+                     .y = reader.number<int>(fields[2]),
+                     .frame = reader.number<int>(fields[3]),
+                     .start_of_frame = (flags & 1) != 0,
+                     .end_of_line = (flags & 2) != 0};
+   if (!parse_word(fields[4], pixels, output.disparity))
+      reader.fail("\"" + std::string(fields[4]) + "\" is not a word of " + std::to_string(2 * pixels) + " hex digits");
+   return output;
 }
 
 std::ifstream open(const std::string& path) {
@@ -115,35 +137,35 @@ std::ifstream open(const std::string& path) {
 }  // namespace
 
 void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
-   out << "stereo-hls stimulus 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n';
-   std::string line = "F LL RR\n";
-   for (const StereoInput& in : stimulus.clocks) {
-      line[0] = kHexDigits[int(in.valid) + 2 * int(in.start_of_frame)];
-      line[2] = kHexDigits[in.left / 16];
-      line[3] = kHexDigits[in.left % 16];
-      line[5] = kHexDigits[in.right / 16];
-      line[6] = kHexDigits[in.right % 16];
-      out << line;
-   }
+   const int pixels = stimulus.pixels_per_clock;
+   out << "stereo-hls stimulus 1 config=" << stimulus.config << " pixels=" << pixels
+       << " clocks=" << stimulus.clocks.size() << '\n';
+   for (const StereoInput& in : stimulus.clocks)
+      out << int(in.valid) + 2 * int(in.start_of_frame) << ' ' << word_text(in.left, pixels) << ' '
+          << word_text(in.right, pixels) << '\n';
 }
 
 void write_expected(std::ostream& out, const Expected& expected) {
-   out << "stereo-hls expected 1 config=" << expected.config << " outputs=" << expected.outputs.size()
-       << " latency=" << expected.latency_clocks << '\n';
+   const int pixels = expected.pixels_per_clock;
+   out << "stereo-hls expected 1 config=" << expected.config << " pixels=" << pixels
+       << " outputs=" << expected.outputs.size() << " latency=" << expected.latency_clocks << '\n';
    for (const CoreOutput& output : expected.outputs)
-      out << output.clock << ' ' << output.x << ' ' << output.y << ' ' << output.frame << ' ' << int(output.disparity)
-          << ' ' << int(output.start_of_frame) + 2 * int(output.end_of_line) << '\n';
+      out << output.clock << ' ' << output.x << ' ' << output.y << ' ' << output.frame << ' '
+          << word_text(output.disparity, pixels) << ' ' << int(output.start_of_frame) + 2 * int(output.end_of_line)
+          << '\n';
 }
 
 Stimulus read_stimulus(std::istream& in, const std::string& name) {
    LineReader reader(in, name);
    std::string rest = reader.header("stereo-hls stimulus 1");
-   Stimulus stimulus{reader.field("config", rest), {}};
+   const std::string config = reader.field("config", rest);
+   Stimulus stimulus{config, parse_pixels(reader, rest), {}};
    const auto count = reader.number<std::size_t>(reader.field("clocks", rest));
    if (!rest.empty()) reader.fail("the first line goes on after clocks=: \"" + rest + "\"");
-   for (std::size_t i = 0; i < count; ++i)
-      stimulus.clocks.push_back(
-          parse_clock(reader, reader.next("clock " + std::to_string(i) + " of " + std::to_string(count))));
+   for (std::size_t i = 0; i < count; ++i) {
+      const std::string& line = reader.next("clock " + std::to_string(i) + " of " + std::to_string(count));
+      stimulus.clocks.push_back(parse_clock(reader, line, stimulus.pixels_per_clock));
+   }
    reader.end();
    return stimulus;
 }
@@ -151,13 +173,15 @@ Stimulus read_stimulus(std::istream& in, const std::string& name) {
 Expected read_expected(std::istream& in, const std::string& name) {
    LineReader reader(in, name);
    std::string rest = reader.header("stereo-hls expected 1");
-   Expected expected{reader.field("config", rest), 0, {}};
+   const std::string config = reader.field("config", rest);
+   Expected expected{config, parse_pixels(reader, rest), 0, {}};
    const auto count = reader.number<std::size_t>(reader.field("outputs", rest));
    expected.latency_clocks = reader.number<int>(reader.field("latency", rest));
    if (!rest.empty()) reader.fail("the first line goes on after latency=: \"" + rest + "\"");
-   for (std::size_t i = 0; i < count; ++i)
-      expected.outputs.push_back(
-          parse_output(reader, reader.next("output " + std::to_string(i) + " of " + std::to_string(count))));
+   for (std::size_t i = 0; i < count; ++i) {
+      const std::string& line = reader.next("output " + std::to_string(i) + " of " + std::to_string(count));
+      expected.outputs.push_back(parse_output(reader, line, expected.pixels_per_clock));
+   }
    reader.end();
    return expected;
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Test vectors as text files, for test benches in any language.
 //
-// stimulus.txt: a first line "stereo-hls stimulus 1 config=<name> clocks=<N>", then N lines "F LL RR", one a clock:
+// stimulus.txt: a first line "stereo-hls stimulus 1 config=<name> pixels=<P> clocks=<N>", then N lines "F LL RR", one a
+//   clock:
 //   F   one hex digit: bit 0 valid, bit 1 start of frame
-//   LL  left pixel, RR right pixel: two lower-case hex digits each
-// expected.txt: a first line "stereo-hls expected 1 config=<name> outputs=<N> latency=<clocks>", then N lines
-//   "clock x y frame disparity flags" in decimal, one a valid output: the members of CoreOutput; flags: bit 0 start of
-//   frame, bit 1 end of line.
+//   LL  left, RR right pixels: words of 2*P lower-case hex digits, as the ports take them; bits 8p+7 ... 8p are lane p,
+//       so the last lane, the lowest of the P rows, comes first in the text
+// expected.txt: a first line "stereo-hls expected 1 config=<name> pixels=<P> outputs=<N> latency=<clocks>", then N lines
+//   "clock x y frame WORD flags", one a valid output: the members of CoreOutput, decimal but for WORD, the disparities as
+//   a word of 2*P hex digits like those above; y is the row of lane 0; flags: bit 0 start of frame, bit 1 end of line.
 #pragma once
 
 #include <iosfwd>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <sstream>
 #include <stdexcept>
 
@@ -11,8 +12,13 @@
 namespace stereo::test {
 namespace {
 
-const std::string kStimulus = "stereo-hls stimulus 1 config=tiny clocks=3\n3 0a ff\n0 00 10\n1 7f 80\n";
-const std::string kExpected = "stereo-hls expected 1 config=tiny outputs=2 latency=10\n50 0 0 0 255 1\n51 1 0 0 7 2\n";
+const std::string kStimulus = "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 0a ff\n0 00 10\n1 7f 80\n";
+const std::string kExpected =
+    "stereo-hls expected 1 config=tiny pixels=1 outputs=2 latency=10\n50 0 0 0 ff 1\n51 1 0 0 07 2\n";
+const std::string kStimulusOfFour =
+    "stereo-hls stimulus 1 config=tiny_p4 pixels=4 clocks=2\n3 0d0c0b0a ff000180\n0 00000000 12345678\n";
+const std::string kExpectedOfTwo =
+    "stereo-hls expected 1 config=tiny_p2 pixels=2 outputs=2 latency=10\n50 0 2 0 ff01 1\n51 1 2 0 0700 2\n";
 
 Stimulus stimulus_of(const std::string& text) {
    std::istringstream in(text);
@@ -27,40 +33,68 @@ Expected expected_of(const std::string& text) {
 TEST(VectorFiles, ReadsAStimulus) {
    const Stimulus stimulus = stimulus_of(kStimulus);
    EXPECT_EQ(stimulus.config, "tiny");
+   EXPECT_EQ(stimulus.pixels_per_clock, 1);
    ASSERT_EQ(stimulus.clocks.size(), 3u);
-   EXPECT_EQ(stimulus.clocks[0].left, 0x0a);
-   EXPECT_EQ(stimulus.clocks[0].right, 0xff);
+   EXPECT_EQ(stimulus.clocks[0].left[0], 0x0a);
+   EXPECT_EQ(stimulus.clocks[0].right[0], 0xff);
    EXPECT_TRUE(stimulus.clocks[0].valid && stimulus.clocks[0].start_of_frame);
    EXPECT_FALSE(stimulus.clocks[1].valid || stimulus.clocks[1].start_of_frame);
    EXPECT_TRUE(stimulus.clocks[2].valid && !stimulus.clocks[2].start_of_frame);
 }
 
+TEST(VectorFiles, TheLastLaneComesFirstInTheText) {
+   const Stimulus stimulus = stimulus_of(kStimulusOfFour);
+   EXPECT_EQ(stimulus.pixels_per_clock, 4);
+   ASSERT_EQ(stimulus.clocks.size(), 2u);
+   EXPECT_EQ(std::to_array(stimulus.clocks[0].left), (std::array<uint8_t, 4>{0x0a, 0x0b, 0x0c, 0x0d}));
+   EXPECT_EQ(std::to_array(stimulus.clocks[0].right), (std::array<uint8_t, 4>{0x80, 0x01, 0x00, 0xff}));
+   const Expected expected = expected_of(kExpectedOfTwo);
+   EXPECT_EQ(expected.pixels_per_clock, 2);
+   ASSERT_EQ(expected.outputs.size(), 2u);
+   EXPECT_EQ(expected.outputs[0].y, 2);
+   EXPECT_EQ(expected.outputs[0].disparity, (std::array<uint8_t, 4>{0x01, 0xff, 0, 0}));
+}
+
 TEST(VectorFiles, ReadsExpectedOutputs) {
    const Expected expected = expected_of(kExpected);
    EXPECT_EQ(expected.config, "tiny");
+   EXPECT_EQ(expected.pixels_per_clock, 1);
    EXPECT_EQ(expected.latency_clocks, 10);
    ASSERT_EQ(expected.outputs.size(), 2u);
-   const CoreOutput first{.clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = 255, .start_of_frame = true};
+   const CoreOutput first{.clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = {255}, .start_of_frame = true};
    EXPECT_EQ(expected.outputs[0], first);
-   const CoreOutput second{.clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = 7, .end_of_line = true};
+   const CoreOutput second{.clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = {7}, .end_of_line = true};
    EXPECT_EQ(expected.outputs[1], second);
 }
 
 TEST(VectorFiles, WritesWhatItReads) {
-   std::ostringstream stimulus, expected;
-   write_stimulus(stimulus, stimulus_of(kStimulus));
-   write_expected(expected, expected_of(kExpected));
-   EXPECT_EQ(stimulus.str(), kStimulus);
-   EXPECT_EQ(expected.str(), kExpected);
+   for (const std::string& text : {kStimulus, kStimulusOfFour}) {
+      std::ostringstream out;
+      write_stimulus(out, stimulus_of(text));
+      EXPECT_EQ(out.str(), text);
+   }
+   for (const std::string& text : {kExpected, kExpectedOfTwo}) {
+      std::ostringstream out;
+      write_expected(out, expected_of(text));
+      EXPECT_EQ(out.str(), text);
+   }
 }
 
 TEST(VectorFiles, RoundTripOfRandomClocks) {
-   StimulusWriter writer(50, test_seed());
-   writer.random_pairs(1000);
-   std::ostringstream first, second;
-   write_stimulus(first, {"name", writer.clocks});
-   write_stimulus(second, stimulus_of(first.str()));
-   EXPECT_EQ(first.str(), second.str());
+   for (const int pixels : {1, 2, 4}) {
+      StimulusWriter writer(pixels, 50, test_seed());
+      writer.random_records(1000);
+      std::ostringstream first, second;
+      write_stimulus(first, {"name", pixels, writer.clocks});
+      const Stimulus read = stimulus_of(first.str());
+      write_stimulus(second, read);
+      EXPECT_EQ(first.str(), second.str());
+      ASSERT_EQ(read.clocks.size(), writer.clocks.size());
+      for (std::size_t i = 0; i < read.clocks.size(); ++i) {
+         ASSERT_EQ(std::to_array(read.clocks[i].left), std::to_array(writer.clocks[i].left)) << "clock " << i;
+         ASSERT_EQ(std::to_array(read.clocks[i].right), std::to_array(writer.clocks[i].right)) << "clock " << i;
+      }
+   }
 }
 
 struct Damage {
@@ -91,6 +125,13 @@ TEST(VectorFiles, RefusesDamagedStimuli) {
         {"more in the first line", replaced(kStimulus, "=3", "=3 a=b"), "stimulus.txt:1: the first line goes on"},
         {"count too large", replaced(kStimulus, "=3", "=4"), "stimulus.txt:5: the file ends where clock 3 of 4"},
         {"count too small", replaced(kStimulus, "=3", "=2"), "stimulus.txt:4: more lines"},
+        {"no pixels", replaced(kStimulus, " pixels=1", ""), "stimulus.txt:1: "},
+        {"three pixels", replaced(kStimulus, "pixels=1", "pixels=3"), "stimulus.txt:1: pixels=3 but 1, 2 or 4"},
+        {"more pixels than digits", replaced(kStimulus, "pixels=1", "pixels=2"), "stimulus.txt:2: \"3 0a ff\" is not of"},
+        {"more digits than pixels", replaced(kStimulusOfFour, "pixels=4", "pixels=2"),
+         "stimulus.txt:2: \"3 0d0c0b0a ff000180\" is not of the form \"F LLLL RRRR\""},
+        {"a digit less", replaced(kStimulusOfFour, "12345678", "1234567"), "stimulus.txt:3: "},
+        {"digits of left in right", replaced(kStimulusOfFour, "0d0c0b0a ff", "0d0c0b0aff "), "stimulus.txt:2: "},
         {"truncated line", kStimulus.substr(0, kStimulus.size() - 2), "stimulus.txt:4: \"1 7f 8\" is not of"},
         {"bad digit", replaced(kStimulus, "ff", "fg"), "stimulus.txt:2: "},
         {"upper-case digit", replaced(kStimulus, "ff", "FF"), "stimulus.txt:2: "},
@@ -110,8 +151,12 @@ TEST(VectorFiles, RefusesDamagedExpectedOutputs) {
         {"negative count", replaced(kExpected, "=2", "=-2"), "expected.txt:1: "},
         {"a number less", replaced(kExpected, "50 0", "50"), "expected.txt:2: "},
         {"a number more", replaced(kExpected, "50 0", "50 0 0"), "expected.txt:2: "},
-        {"disparity beyond 8 bits", replaced(kExpected, "255", "256"), "expected.txt:2: \"256\" is not a number"},
-        {"flags beyond 3", replaced(kExpected, "7 2", "7 4"), "expected.txt:3: flags are 4"},
+        {"no pixels", replaced(kExpected, " pixels=1", ""), "expected.txt:1: "},
+        {"disparity of three digits", replaced(kExpected, "ff", "100"), "expected.txt:2: \"100\" is not a word of 2 hex"},
+        {"disparity of one digit", replaced(kExpected, "07", "7"), "expected.txt:3: \"7\" is not a word of 2 hex"},
+        {"more digits than pixels", replaced(kExpectedOfTwo, "pixels=2", "pixels=1"), "expected.txt:2: \"ff01\" is not"},
+        {"upper-case digits", replaced(kExpected, "ff", "FF"), "expected.txt:2: \"FF\" is not a word of 2 hex"},
+        {"flags beyond 3", replaced(kExpected, "07 2", "07 4"), "expected.txt:3: flags are 4"},
         {"a letter", replaced(kExpected, "51", "5a"), "expected.txt:3: \"5a\" is not a number"}},
        expected_of);
 }

@@ -16,6 +16,8 @@ DEVICE = "LFE5U85F8BG756C"
 # counts is the one after place and route.
 OPTIONS = [
     "--compiler=I386_CLANG16", f"--top-fname={TOP}", "--generate-interface=INFER", "-wH", "--generate-components-library",
+    # Nothing can be shared inside one state; looking for sharing would take minutes.
+    "--module-binding=UNIQUE", "--register-allocation=UNIQUE_BINDING",
     f"--device-name={DEVICE}", "--clock-period=400", "--distram-threshold=100000", "-O3", "-fno-slp-vectorize",
 ]
 

@@ -18,10 +18,23 @@ class Mismatch:
         if self.expected is None:
             return f"clock {self.got.clock}: surplus output, disparity {self.got.disparity} flags {self.got.flags}"
         e = self.expected
-        where = f"clock {e.clock}, frame {e.frame}, x {e.x}, y {e.y}: expected disparity {e.disparity} flags {e.flags}"
+        row = self._first_wrong_row()
+        where = f"clock {e.clock}, frame {e.frame}, x {e.x}, y {e.y + row}: expected disparity {_row(e.disparity, row)} flags {e.flags}"
         if self.got is None:
             return f"{where}, got nothing"
-        return f"{where}, got disparity {self.got.disparity} flags {self.got.flags} at clock {self.got.clock}"
+        return f"{where}, got disparity {_row(self.got.disparity, row)} flags {self.got.flags} at clock {self.got.clock}"
+
+    def _first_wrong_row(self):
+        """The uppermost row of the group that differs; the upper one when the difference is elsewhere."""
+        if self.got is None or self.got.disparity == "X" or self.got.disparity == self.expected.disparity:
+            return 0
+        difference = self.got.disparity ^ self.expected.disparity
+        return ((difference & -difference).bit_length() - 1) // 8
+
+
+def _row(word, row):
+    """One row's disparity of a port word."""
+    return word if word == "X" else word >> (8 * row) & 0xFF
 
 
 @dataclass(frozen=True)
@@ -66,7 +79,7 @@ def measure(stimulus, observed, configuration):
     """
     numbers = [o for o in observed if o.flags != "X"]
     starts = [o.clock for o in numbers if o.flags & 1]
-    outputs_per_frame = configuration["output_width_px"] * configuration["output_height_px"]
+    outputs_per_frame = configuration["output_width_px"] * configuration["output_height_px"] // configuration["pixels_per_clock"]
     whole_frames = len(numbers) // outputs_per_frame
     first_input = next((clock for clock, (valid, start) in enumerate(stimulus) if valid and start), None)
     clocks = None
@@ -81,9 +94,10 @@ def measure(stimulus, observed, configuration):
 
 
 def _latency(stimulus, starts, configuration):
-    """The window of output (0,0) is complete with the pair in row r, column D-1+r (r = window radius)."""
+    """The windows of the first outputs are complete with column D-1+r of the group that holds the r rows below them."""
     radius = configuration["window_px"] // 2
-    pairs_before = radius * configuration["width_px"] + configuration["disparities"] - 1 + radius
+    groups = -(-radius // configuration["pixels_per_clock"])
+    pairs_before = groups * configuration["width_px"] + configuration["disparities"] - 1 + radius
     first = next(clock for clock, (valid, start) in enumerate(stimulus) if valid and start)
     valid_clocks = [clock for clock in range(first, len(stimulus)) if stimulus[clock][0]]
     return starts[0] - valid_clocks[pairs_before]

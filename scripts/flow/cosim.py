@@ -67,7 +67,7 @@ def run_job(job):
     expected, _ = vectors.read_expected(expected_path)
 
     build_folder = ROOT / "build" / "cosim" / "simulators" / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
-    simulator = SIMULATORS[job.simulator](files, build_folder, trace=job.wave is not None)
+    simulator = SIMULATORS[job.simulator](files, build_folder, parameters["pixels_per_clock"], trace=job.wave is not None)
     started = time.monotonic()
     print(f"{job.config}: building the {job.simulator} simulation ...", flush=True)
     simulator.build()

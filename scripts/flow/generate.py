@@ -8,7 +8,7 @@ from pathlib import Path
 from . import bambu, manifest
 from .rtl.lowering import lower, state_sequence
 from .rtl.naming import name_registers, read_trace
-from .rtl.ranges import narrow_registers
+from .rtl.ranges import narrow_memories, narrow_registers
 from .rtl.vhdl_reader import read_design
 from .rtl.vhdl_writer import VhdlWriter
 from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
@@ -17,7 +17,7 @@ TRACE_ROWS = 4  # that the naming trace covers, so that the rules at the upper b
 
 
 def header(config, parameters, tool_run):
-    size = f"{parameters['width_px']}x{parameters['height_px']}, {parameters['disparities']} disparities, {parameters['window_px']}x{parameters['window_px']} window"
+    size = f"{parameters['width_px']}x{parameters['height_px']}, {parameters['disparities']} disparities, {parameters['window_px']}x{parameters['window_px']} window, {parameters['pixels_per_clock']} pixel pairs a clock"
     return "\n".join([
         "-- SPDX-License-Identifier: Apache-2.0",
         f"-- Stereo block-matching core, configuration {config}: {size}.",
@@ -31,6 +31,7 @@ def netlist_of(config, parameters, design, work):
     """The tool's design, lowered, checked against the C++ core and named after it."""
     netlist = lower(design)
     clocks = TRACE_ROWS * parameters["width_px"]
+    narrow_memories(netlist)
     run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)
     named = name_registers(netlist, read_trace(work / "trace.txt"))
     narrow_registers(netlist)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The text files between the C++ core, the simulators and the checker.
 
-stimulus.txt   stereo-hls stimulus 1 config=NAME clocks=N      then N lines  "F LL RR", hexadecimal, one a clock;
-               F bit 0 valid, bit 1 start of frame; LL, RR left and right pixel
-expected.txt   stereo-hls expected 1 config=NAME outputs=N latency=CLOCKS
-               then N lines "clock x y frame disparity flags", decimal, one for each valid output of the C++ core
-observed.txt   "clock disparity flags" for each valid output of the simulated VHDL, then "end CLOCKS";
+stimulus.txt   stereo-hls stimulus 1 config=NAME pixels=P clocks=N
+               then N lines "F LEFT RIGHT", hexadecimal, one a clock; F bit 0 valid, bit 1 start of frame
+expected.txt   stereo-hls expected 1 config=NAME pixels=P outputs=N latency=CLOCKS
+               then N lines "clock x y frame DISPARITY flags", one for each valid output of the C++ core
+observed.txt   "clock DISPARITY flags" for each valid output of the simulated VHDL, then "end CLOCKS";
                "clock X X" where an output was neither 0 nor 1
 
-flags: bit 0 start of frame, bit 1 end of line. Clocks count from 0, the first clock after reset.
+LEFT, RIGHT, DISPARITY: port words of 2*P hexadecimal digits; row y of the group is bits 8y+7 ... 8y. The other numbers are
+decimal. flags: bit 0 start of frame, bit 1 end of line. Clocks count from 0, the first clock after reset.
 """
 
 import re
@@ -22,16 +23,16 @@ from .errors import EXIT_TOOL_FAILED, FlowError
 class Expected:
     clock: int
     x: int
-    y: int
+    y: int  # of the upper row
     frame: int
-    disparity: int
+    disparity: int  # port word
     flags: int
 
 
 @dataclass(frozen=True)
 class Observed:
     clock: int
-    disparity: object  # int, or "X" where the simulator saw no number
+    disparity: object  # port word, or "X" where the simulator saw no number
     flags: object
 
 
@@ -47,34 +48,37 @@ def _read_header(path, lines, kind, count_key):
     if not match:
         raise FlowError(f"{path}, line 1: not a '{kind}' vector file of format 1")
     header = dict(item.split("=", 1) for item in match.group(1).split())
-    try:
-        count = int(header[count_key])
-    except (KeyError, ValueError):
-        raise FlowError(f"{path}, line 1: no number {count_key}=") from None
-    if len(lines) - 1 != count:
-        raise FlowError(f"{path}: the first line promises {count} lines, but {len(lines) - 1} follow")
-    return header
+    for key in ("pixels", count_key):
+        if not header.get(key, "").isdigit():
+            raise FlowError(f"{path}, line 1: no number {key}=")
+    if len(lines) - 1 != int(header[count_key]):
+        raise FlowError(f"{path}: the first line promises {header[count_key]} lines, but {len(lines) - 1} follow")
+    return header, 2 * int(header["pixels"])
 
 
 def read_stimulus(path):
     """The stimulus as a list of (valid, start_of_frame), one a clock."""
     lines = _read_lines(path)
-    _read_header(path, lines, "stimulus", "clocks")
+    _, digits = _read_header(path, lines, "stimulus", "clocks")
+    pattern = re.compile(rf"[0-3] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
     for number, line in enumerate(lines[1:], 2):
-        if not re.fullmatch(r"[0-3] [0-9a-f]{2} [0-9a-f]{2}", line):
-            raise FlowError(f"{path}, line {number}: '{line}' is not 'F LL RR'")
+        if not pattern.fullmatch(line):
+            raise FlowError(f"{path}, line {number}: '{line}' is not 'F LEFT RIGHT' with {digits} digits")
     return [(line[0] in "13", line[0] in "23") for line in lines[1:]]
 
 
 def read_expected(path):
     """(expected outputs, latency of the C++ core in clocks)"""
     lines = _read_lines(path)
-    header = _read_header(path, lines, "expected", "outputs")
+    header, digits = _read_header(path, lines, "expected", "outputs")
+    pattern = re.compile(rf"(\d+) (\d+) (\d+) (\d+) ([0-9a-f]{{{digits}}}) (\d+)")
     outputs = []
     for number, line in enumerate(lines[1:], 2):
-        if not re.fullmatch(r"\d+( \d+){5}", line):
-            raise FlowError(f"{path}, line {number}: '{line}' is not 'clock x y frame disparity flags'")
-        outputs.append(Expected(*map(int, line.split())))
+        match = pattern.fullmatch(line)
+        if not match:
+            raise FlowError(f"{path}, line {number}: '{line}' is not 'clock x y frame DISPARITY flags' with {digits} digits")
+        clock, x, y, frame, disparity, flags = match.groups()
+        outputs.append(Expected(int(clock), int(x), int(y), int(frame), int(disparity, 16), int(flags)))
     if not re.fullmatch(r"\d+", header.get("latency", "")):
         raise FlowError(f"{path}, line 1: no number latency=")
     return outputs, int(header["latency"])
@@ -87,9 +91,9 @@ def read_observed(path):
         raise FlowError(f"{path}: the simulation did not write its last line, so it did not finish", EXIT_TOOL_FAILED)
     outputs = []
     for number, line in enumerate(lines[:-1], 1):
-        if not re.fullmatch(r"\d+ (\d+ \d+|X X)", line):
-            raise FlowError(f"{path}, line {number}: '{line}' is not 'clock disparity flags'", EXIT_TOOL_FAILED)
+        if not re.fullmatch(r"\d+ ([0-9A-Fa-f]+ \d+|X X)", line):
+            raise FlowError(f"{path}, line {number}: '{line}' is not 'clock DISPARITY flags'", EXIT_TOOL_FAILED)
         clock, disparity, flags = line.split()
         known = disparity != "X"
-        outputs.append(Observed(int(clock), int(disparity) if known else "X", int(flags) if known else "X"))
+        outputs.append(Observed(int(clock), int(disparity, 16) if known else "X", int(flags) if known else "X"))
     return outputs, int(lines[-1].split()[1])

@@ -5,7 +5,7 @@ import pytest
 from flow import checker
 from flow.vectors import Expected, Observed
 
-CONFIGURATION = {"width_px": 6, "height_px": 3, "disparities": 3, "window_px": 3, "output_width_px": 3, "output_height_px": 3}
+CONFIGURATION = {"width_px": 6, "height_px": 3, "disparities": 3, "window_px": 3, "output_width_px": 3, "output_height_px": 3, "pixels_per_clock": 1}
 
 
 def expected_frame(frames=1, start=20):
@@ -68,6 +68,12 @@ def test_nothing_observed_is_no_pass():
     verdict = checker.compare(expected_frame(), [])
     assert not verdict.passed
     assert verdict.mismatches == 9
+
+
+def test_the_row_that_differs_is_named():
+    expected = [Expected(7, 4, 6, 1, 0x0A0B0C0D, 0)]
+    verdict = checker.compare(expected, [Observed(7, 0x0AFF0C0D, 0)])
+    assert "x 4, y 8: expected disparity 11 flags 0, got disparity 255" in str(verdict.first_mismatch)
 
 
 def stimulus(frames=1, bubbles_after=None):

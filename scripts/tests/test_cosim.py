@@ -5,14 +5,16 @@ import xml.etree.ElementTree as xml
 
 import pytest
 from flow_commands import cosim, random_pair, report, scene
-from flow.tools import ROOT
+from flow.tools import ROOT, configuration
 
-WIDTH, OUTPUTS = {"tiny": 32, "ambrosch2007": 320}, {"tiny": 24 * 12, "ambrosch2007": 220 * 240}
+# Outputs a frame: each is a column of as many rows as enter in a clock.
+OUTPUTS = {"tiny": 24 * 12, "tiny_p2": 24 * 6, "tiny_p4": 24 * 3, "ambrosch2007": 220 * 240, "ambrosch2007_p2": 220 * 120, "ambrosch2007_p4": 220 * 60}
+CLOCKS_PER_FRAME = {"ambrosch2007": 77600, "ambrosch2007_p2": 38900, "ambrosch2007_p4": 19700}  # at most
 
 
 @pytest.fixture(scope="module")
 def pairs(tmp_path_factory):
-    return {config: scene(tmp_path_factory.mktemp(config), config) for config in WIDTH}
+    return {config: scene(tmp_path_factory.mktemp(config), config) for config in OUTPUTS}
 
 
 def passed(process, out, outputs):
@@ -28,7 +30,7 @@ def test_tiny_whole_frame_in_ghdl(ghdl, pairs, tmp_path):
     result = passed(cosim("tiny", pairs["tiny"], tmp_path), tmp_path, OUTPUTS["tiny"])
     assert result["config"] == "tiny" and result["simulator"] == "ghdl"
     assert result["initiation_interval"] == {"min": 1, "avg": 1.0, "max": 1}
-    assert result["latency_clocks"] == 10
+    assert result["latency_clocks"] == configuration("tiny")["latency_clocks"]
 
 
 def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pairs, tmp_path):
@@ -38,18 +40,19 @@ def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pair
 
 
 @pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
-@pytest.mark.parametrize("stall_percent", [5, 60])
-def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, stall_percent):
+@pytest.mark.parametrize("config,stall_percent", [("tiny", 5), ("tiny", 60), ("tiny_p2", 30), ("tiny_p4", 30)])
+def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_percent):
     request.getfixturevalue(simulator)
-    process = cosim("tiny", pairs["tiny"], tmp_path, "--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator)
-    result = passed(process, tmp_path, 4 * OUTPUTS["tiny"])
+    process = cosim(config, pairs[config], tmp_path, "--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator)
+    result = passed(process, tmp_path, 4 * OUTPUTS[config])
     assert result["initiation_interval"]["max"] > 1, "bubbles show in the outputs"
 
 
+@pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4"])
 @pytest.mark.parametrize("levels", [1, 2, 3, 256])
-def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, levels):
-    pair = random_pair(tmp_path / "pair", "tiny", levels)
-    passed(cosim("tiny", pair, tmp_path / "out", "--frames", 2), tmp_path / "out", 2 * OUTPUTS["tiny"])
+def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, config, levels):
+    pair = random_pair(tmp_path / "pair", config, levels)
+    passed(cosim(config, pair, tmp_path / "out", "--frames", 2), tmp_path / "out", 2 * OUTPUTS[config])
 
 
 @pytest.mark.parametrize("levels", [2, 256])
@@ -65,11 +68,17 @@ def test_ambrosch2007_crop_in_ghdl(ghdl, pairs, tmp_path):
     assert result["clocks_per_frame"] is None, "a crop is no frame"
 
 
-@pytest.mark.parametrize("simulator", ["ghdl", "verilator"])
-def test_ambrosch2007_two_whole_frames(request, pairs, tmp_path, simulator):
-    request.getfixturevalue(simulator)
-    result = passed(cosim("ambrosch2007", pairs["ambrosch2007"], tmp_path, "--frames", 2, "--simulator", simulator), tmp_path, 2 * OUTPUTS["ambrosch2007"])
-    assert result["clocks_per_frame"] <= 77600
+@pytest.mark.parametrize("config", CLOCKS_PER_FRAME)
+def test_two_whole_frames_in_ghdl(ghdl, pairs, tmp_path, config):
+    result = passed(cosim(config, pairs[config], tmp_path, "--frames", 2), tmp_path, 2 * OUTPUTS[config])
+    assert result["clocks_per_frame"] <= CLOCKS_PER_FRAME[config]
+    assert result["initiation_interval"] == {"min": 1, "avg": 1.0, "max": 1}
+
+
+def test_ambrosch2007_two_whole_frames_in_verilator(verilator, pairs, tmp_path):
+    process = cosim("ambrosch2007", pairs["ambrosch2007"], tmp_path, "--frames", 2, "--simulator", "verilator")
+    result = passed(process, tmp_path, 2 * OUTPUTS["ambrosch2007"])
+    assert result["clocks_per_frame"] <= CLOCKS_PER_FRAME["ambrosch2007"]
     assert result["initiation_interval"] == {"min": 1, "avg": 1.0, "max": 1}
 
 

@@ -56,7 +56,7 @@ CONSTANT_SECOND = {
 }
 SAME = ("UUdata_converter_FU", "UIdata_converter_FU", "IUdata_converter_FU", "IIdata_converter_FU", "addr_expr_FU", "ASSIGN_UNSIGNED_FU",
         "ASSIGN_SIGNED_FU", "view_convert_expr_FU", "ui_view_convert_expr_FU")
-OTHER = {"__builtin_abs", "MUX_GATE", "lut_expr_FU", "truth_and_expr_FU", "truth_or_expr_FU", "truth_not_expr_FU",
+OTHER = {"ui_fshl_expr_FU", "__builtin_abs", "MUX_GATE", "lut_expr_FU", "truth_and_expr_FU", "truth_or_expr_FU", "truth_not_expr_FU",
          "bit_ior_concat_expr_FU", "ui_bit_ior_concat_expr_FU"}
 
 
@@ -138,6 +138,14 @@ def test_concatenation(prefix, offset, rng):
         return (i["in1"] >> offset << offset) | (i["in2"] & ((1 << offset) - 1))
 
     check(f"{prefix}bit_ior_concat_expr_FU", {"in1": (8, False), "in2": (6, False), "in3": offset}, 8, False, expected, {"OFFSET_PARAMETER": offset}, rng)
+
+
+@pytest.mark.parametrize("amount", [1, 3, 6, 7])
+def test_funnel_shift(amount, rng):
+    def expected(i, g):
+        return (i["in1"] << 8 | i["in2"]) << amount >> 8
+
+    check("ui_fshl_expr_FU", {"in1": (6, False), "in2": (8, False), "in3": amount}, 8, False, expected, {"PRECISION": 8}, rng)
 
 
 def test_every_rule_is_tested():

@@ -4,7 +4,8 @@
 from .netlist import walk
 
 _TEXT = {
-    "sub": "({0} - {1})", "abs": "abs({0})", "mux": "({1} if {0} else {2})", "lt": "int({0} < {1})", "ge": "int({0} >= {1})",
+    "sub": "({0} - {1})", "abs": "abs({0})", "folded": "({0} if {0} >= 0 else -1 - {0})",
+    "positive": "max({0}, 0)", "mux": "({1} if {0} else {2})", "lt": "int({0} < {1})", "ge": "int({0} >= {1})",
     "eq": "int({0} == {1})", "ne": "int({0} != {1})", "not": "(1 - {0})", "shl": "({0} << {p})", "shr": "({0} >> {p})",
 }
 _JOIN = {"add": " + ", "and": " & ", "or": " | ", "xor": " ^ "}

@@ -9,6 +9,20 @@ from ..errors import EXIT_TOOL_FAILED, FlowError
 
 COMPARISONS = {"lt": "<", "ge": ">=", "eq": "=", "ne": "/="}
 
+FUNCTIONS = {"abs": "magnitude", "folded": "folded", "positive": "positive_part"}
+
+
+def without_outer_parentheses(text):
+    """The same text without the parentheses that enclose the whole."""
+    if not text.startswith("("):
+        return text
+    depth = 0
+    for at, character in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if depth == 0:
+            return text[1:-1] if at == len(text) - 1 else text
+    return text
+
 
 def is_wide(node):
     return node.high >= 1 << 31 or node.low < -(1 << 31)
@@ -75,8 +89,8 @@ class Writer:
             return f"({text})"
         if node.op == "sub":
             return f"({self.number(node.args[0])} - {self.number(node.args[1])})"
-        if node.op == "abs":
-            return f"magnitude({self.number(node.args[0]).removeprefix('(').removesuffix(')')})" if self._one_pair(node.args[0]) else f"magnitude({self.number(node.args[0])})"
+        if node.op in FUNCTIONS:
+            return f"{FUNCTIONS[node.op]}({without_outer_parentheses(self.number(node.args[0]))})"
         if node.op == "shl":
             return f"({self.number(node.args[0])} * {1 << node.param})"
         if node.op == "wrap":
@@ -84,10 +98,6 @@ class Writer:
         if node.op == "shr":
             return self._shifted(node)
         raise FlowError(f"no VHDL for the operation '{node.op}' on {node.width} bits", EXIT_TOOL_FAILED)
-
-    @staticmethod
-    def _one_pair(node):
-        return node.op in ("sub", "add")
 
     def _wrapped(self, node):
         (a,), (width, signed) = node.args, node.param

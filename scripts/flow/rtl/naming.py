@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
 from .evaluate import compile_step, initial_state
-from .netlist import bit_not, leaf, merge_twins
+from .netlist import bit_not, leaf, merge_twins, walk, wrap
 
 
 def read_trace(path):
@@ -42,16 +42,22 @@ def trace_netlist(netlist, trace):
     return list(zip(*history))
 
 
-def _invert_complements(netlist, trace, by_values):
-    """Where the tool keeps the complement of a C++ bit, keeps the bit instead."""
+def _as_in_cpp(netlist, trace, by_values):
+    """Where the tool keeps the complement of a C++ bit, or a negative number as a large positive one, keeps what C++ has."""
     replacement = {}
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
-        complement = tuple(1 - v for v in values) if register.value.is_bit else None
-        if values not in by_values and complement in by_values:
-            old = register.value
+        if values in by_values:
+            continue
+        old, width = register.value, register.value.width
+        half = 1 << (width - 1)
+        if old.is_bit and tuple(1 - v for v in values) in by_values:
             register.value, register.initial = leaf("register", f"{register.name}_inverted", 1), 1 - register.initial
             register.next = bit_not(register.next)
             replacement[id(old)] = bit_not(register.value)
+        elif old.low == 0 and tuple(v - 2 * half if v >= half else v for v in values) in by_values:
+            register.value = leaf("register", f"{register.name}_signed", width, signed=True)
+            register.next = wrap(register.next, width, signed=True)
+            replacement[id(old)] = wrap(register.value, width)
     netlist.substitute(replacement)
     merge_twins(netlist)
 
@@ -64,7 +70,7 @@ def name_registers(netlist, trace):
         if not name.startswith(("in_", "out_")):
             order[name] = len(order)
             by_values.setdefault(values, []).append(name)
-    _invert_complements(netlist, trace, by_values)
+    _as_in_cpp(netlist, trace, by_values)
     named = 0
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
         candidates = by_values.get(values, [])
@@ -75,6 +81,6 @@ def name_registers(netlist, trace):
         order[register.name] = len(order)
     netlist.registers.sort(key=lambda r: order[r.name])
     for memory in netlist.memories:
-        address = next(r for r in netlist.registers if r.value is memory.write_address)
-        memory.name = f"{address.name.split('_')[0]}_memory"
+        reader = next((r.name for r in netlist.registers if any(node is memory.data for node in walk([r.next]))), memory.name)
+        memory.name = f"{reader}_memory"
     return named

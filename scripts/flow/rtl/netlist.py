@@ -71,6 +71,10 @@ def wrap(a, width, signed=False):
     if is_const(a):
         value = a.param & ((1 << width) - 1)
         return const(value - (1 << width) if signed and value >> (width - 1) else value)
+    if a.low == -1 and a.high == 0 and not signed:
+        return mux(less(a, const(0)), const((1 << width) - 1), const(0))
+    if a.op in ("and", "or", "xor") and a.param is not None and not signed:
+        return bitwise(a.op, wrap(a.args[0], width), wrap(a.args[1], width))
     if a.op == "mux":
         return mux(a.args[0], wrap(a.args[1], width, signed), wrap(a.args[2], width, signed))
     if a.op == "shl" and not signed:
@@ -83,6 +87,10 @@ def wrap(a, width, signed=False):
     if ones is not None:
         high = min(high, ones)
     return _node("wrap", (a,), (width, signed), low, high, ones)
+
+
+def fits_signed(a, width):
+    return -(1 << (width - 1)) <= a.low and a.high < 1 << (width - 1)
 
 
 def _multiple_of(node, width):
@@ -147,6 +155,22 @@ def absolute(a):
     return _node("abs", (a,), None, 0 if a.high >= 0 else -a.high, max(-a.low, a.high))
 
 
+def folded(a):
+    """a, or its complement -1-a where it is negative."""
+    if is_const(a):
+        return const(a.param if a.param >= 0 else -1 - a.param)
+    if a.low >= 0:
+        return a
+    return _node("folded", (a,), None, 0, max(a.high, -a.low - 1))
+
+
+def positive(a):
+    """a, or 0 where it is negative."""
+    if a.low >= 0:
+        return a
+    return const(0) if a.high <= 0 else _node("positive", (a,), None, 0, a.high)
+
+
 def shift_left(a, count):
     if count == 0 or is_const(a, 0):
         return a
@@ -167,6 +191,8 @@ def shift_right(a, count):
         return const(0)
     if a.op == "shr":
         return shift_right(a.args[0], a.param + count)
+    if a.op == "wrap" and a.param == (count + 1, False) and fits_signed(a.args[0], count + 1):
+        return less(a.args[0], const(0))
     if a.op == "shl" and a.param >= count:
         return shift_left(a.args[0], a.param - count)
     if a.op == "add" and disjoint_ones(a.args) is not None:
@@ -197,8 +223,21 @@ def mux(condition, yes, no):
             return bit_and(bit_not(condition), no)
         if is_const(no, 1):
             return bit_or(bit_not(condition), yes)
+    if condition.op == "lt" and is_const(condition.args[1], 0):
+        a = condition.args[0]
+        if no.op == "wrap" and no.args[0] is a and a.high >> no.param[0] == 0:
+            no = positive(a)
+        if no is positive(a) and yes.op == "sub" and _is_complement(yes, a):
+            return folded(a)
     ones = None if yes.ones is None or no.ones is None else yes.ones | no.ones
     return _node("mux", (condition, yes, no), None, min(yes.low, no.low), max(yes.high, no.high), ones)
+
+
+def _is_complement(node, a):
+    """2**w - 1 - (a modulo 2**w), which is -1-a for the negative values that w bits hold."""
+    top, low_bits = node.args
+    return (is_const(top) and low_bits.op == "wrap" and low_bits.args[0] is a and not low_bits.param[1]
+            and top.param == (1 << low_bits.param[0]) - 1 and a.low >= -(1 << low_bits.param[0]))
 
 
 def _held_bit(yes, no):
@@ -291,6 +330,8 @@ def bit_xor(a, b):
 
 
 def less(a, b):
+    if a.op == "shr" and is_const(b, 0):
+        return less(a.args[0], b)
     if a.high < b.low:
         return const(1)
     if a.low >= b.high:
@@ -325,6 +366,12 @@ def bitwise(op, a, b):
             return a
         if disjoint_ones((a, b)) is not None:
             return add(a, b)
+    if op == "xor":
+        for choice, other in ((a, b), (b, a)):
+            if choice.op == "mux" and is_const(choice.args[1]) and is_const(choice.args[2]):
+                return mux(choice.args[0], *[bitwise("xor", other, arm) for arm in choice.args[1:]])
+        if is_const(b) and a.ones is not None and b.param & (b.param + 1) == 0 and a.ones <= b.param:
+            return sub(b, a)
     if a.low >= 0 and b.low >= 0:
         bits = max(a.width, b.width)
         return _node(op, (a, b), bits, 0, (1 << bits) - 1)
@@ -429,7 +476,7 @@ def rebuild(node, replacement, done):
 
 def _again(node, args):
     make = {
-        "wrap": lambda a: wrap(a, *node.param), "add": add, "sub": sub, "abs": absolute, "mux": mux, "lt": less, "eq": equal,
+        "wrap": lambda a: wrap(a, *node.param), "add": add, "sub": sub, "abs": absolute, "folded": folded, "positive": positive, "mux": mux, "lt": less, "eq": equal,
         "shl": lambda a: shift_left(a, node.param), "shr": lambda a: shift_right(a, node.param), "not": bit_not,
         "ge": lambda a, b: bit_not(less(a, b)), "ne": lambda a, b: bit_not(equal(a, b)),
     }

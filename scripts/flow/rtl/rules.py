@@ -55,6 +55,12 @@ def _shift_amount(cell):
     return cell.constant("in2") % cell.generic("PRECISION")
 
 
+def _funnel_left(cell):
+    """The upper word of in1:in2 shifted left by in3."""
+    count = cell.constant("in3") % cell.generic("PRECISION")
+    return bitwise("or", shift_left(cell["in1"], count), shift_right(cell["in2"], cell.generic("PRECISION") - count))
+
+
 def _concat(cell):
     offset = cell.generic("OFFSET_PARAMETER")
     return add(shift_left(shift_right(cell["in1"], offset), offset), wrap(cell["in2"], offset))
@@ -104,6 +110,7 @@ def _rules():
         "__builtin_abs": lambda c: absolute(c["in1"]),
         "MUX_GATE": lambda c: mux(c["sel"], c["in1"], c["in2"]),
         "lut_expr_FU": _lut,
+        "ui_fshl_expr_FU": _funnel_left,
         "truth_and_expr_FU": lambda c: bit_and(_nonzero(c["in1"]), _nonzero(c["in2"])),
         "truth_or_expr_FU": lambda c: bit_or(_nonzero(c["in1"]), _nonzero(c["in2"])),
         "truth_not_expr_FU": lambda c: equal(c["in1"], const(0)),

@@ -5,18 +5,18 @@ import re
 from collections import Counter
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from .expressions import Writer, is_wide, type_of
+from .expressions import Writer, is_wide, type_of, without_outer_parentheses
 from .netlist import Register, bit_not, walk
 
 LINE = 120
 PORTS = """\
     clock : in std_logic;
     reset : in std_logic;  -- synchronous, active high
-    left_pixel : in std_logic_vector(7 downto 0);
-    right_pixel : in std_logic_vector(7 downto 0);
-    start_of_frame : in std_logic;  -- with the pixel pair at column 0 of row 0
+    left_pixel : in std_logic_vector({high} downto 0);  -- 8 bits a row, the upper row in bits 7 ... 0
+    right_pixel : in std_logic_vector({high} downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
-    disparity : out std_logic_vector(7 downto 0);
+    disparity : out std_logic_vector({high} downto 0);
     disparity_valid : out std_logic;
     disparity_start_of_frame : out std_logic;
     disparity_end_of_line : out std_logic"""
@@ -25,6 +25,23 @@ HELPERS = """\
   begin
     if value < 0 then
       return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
     end if;
     return value;
   end function;
@@ -46,7 +63,7 @@ HELPERS = """\
   end function;
 """
 _VARIABLE_KINDS = {"lt": "is_less", "ge": "is_not_less", "eq": "is_equal", "ne": "differs", "add": "sum", "sub": "difference",
-                   "mux": "choice", "and": "all", "or": "any", "not": "inverse", "abs": "magnitude"}
+                   "mux": "choice", "and": "all", "or": "any", "not": "inverse", "abs": "magnitude", "folded": "folded_value", "positive": "positive_value"}
 
 
 def split_hold(register):
@@ -91,13 +108,14 @@ def control_registers(netlist):
 class VhdlWriter:
     def __init__(self, netlist, header):
         self.netlist, self.header = netlist, header
+        self.pixel_bits = max([8, *(node.width for node in netlist.inputs.values())])
         self.names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
         self.reads = {id(m): memory_read_register(netlist, m) for m in netlist.memories}
         for register, _ in self.reads.values():
             self.names[id(register.value)] = (register.name, True)
         self.in_memory = {id(register) for register, _ in self.reads.values()}
         for name, node in netlist.inputs.items():
-            self.names[id(node)] = (f"in_{name}", False)
+            self.names[id(node)] = (f"in_{name}", is_wide(node))
         self.variables = {}  # name -> type
         self.text = Writer(self.names)
         self.uses = Counter(id(a) for n in walk(netlist.roots()) for a in n.args)
@@ -106,7 +124,7 @@ class VhdlWriter:
     def write(self):
         process = self._process()  # first: it finds the variables
         parts = [self.header, "library ieee;", "use ieee.std_logic_1164.all;", "use ieee.numeric_std.all;", "",
-                 "entity stereo_core is", "  port (", PORTS, "  );", "end entity;", "", "architecture rtl of stereo_core is",
+                 "entity stereo_core is", "  port (", PORTS.format(high=self.pixel_bits - 1), "  );", "end entity;", "", "architecture rtl of stereo_core is",
                  HELPERS, self._declarations(), "begin", self._ports(), self._memories(), process, "end architecture;"]
         return "\n".join(parts) + "\n"
 
@@ -138,12 +156,13 @@ class VhdlWriter:
     def _ports(self):
         lines = []
         for name, node in self.netlist.inputs.items():
-            lines.append(f"  in_{name} <= {name} = '1';" if node.is_bit else f"  in_{name} <= to_integer(unsigned({name}));")
+            value = f"{name} = '1'" if node.is_bit else f"unsigned({name})" if is_wide(node) else f"to_integer(unsigned({name}))"
+            lines.append(f"  in_{name} <= {value};")
         for name, node in self.netlist.outputs.items():
             if node.is_bit and name != "disparity":
-                lines.append(f"  {name} <= as_bit({_bare(self.text.condition(node))});")
+                lines.append(f"  {name} <= as_bit({without_outer_parentheses(self.text.condition(node))});")
             else:
-                lines.append(f"  {name} <= std_logic_vector({self.text.word(node, 8)});")
+                lines.append(f"  {name} <= std_logic_vector({self.text.word(node, self.pixel_bits)});")
         return "\n".join(lines) + "\n"
 
     def _memories(self):
@@ -198,7 +217,7 @@ class VhdlWriter:
             lines += self._variables(value, register.name)
         if condition is not None:
             lines += self._variables(condition, members[0].name)
-            lines.append(f"{indent}if {_bare(self.text.condition(condition))} then")
+            lines.append(f"{indent}if {without_outer_parentheses(self.text.condition(condition))} then")
             indent += "  "
         for register, value in assigned:
             lines += _folded(f"{indent}{register.name} <= {self._choice_text(value, register)};")
@@ -236,34 +255,22 @@ class VhdlWriter:
         """The right side of an assignment: multiplexers become `a when c else b`."""
         if node.op == "mux" and id(node) not in self.names:
             condition, yes, no = node.args
-            return f"{self._plain_text(yes, target)} when {_bare(self.text.condition(condition))} else {self._choice_text(no, target)}"
+            return f"{self._plain_text(yes, target)} when {without_outer_parentheses(self.text.condition(condition))} else {self._choice_text(no, target)}"
         return self._plain_text(node, target)
 
     def _plain_text(self, node, target):
         bounds = target.value if isinstance(target, Register) else target
         if bounds.is_bit:
-            return _bare(self.text.condition(node))
+            return without_outer_parentheses(self.text.condition(node))
         if is_wide(bounds):
             return self.text.word(node, bounds.width)
-        return _bare(self.text.number(node))
+        return without_outer_parentheses(self.text.number(node))
 
 
 def _constant(register):
     if register.value.is_bit:
         return "true" if register.initial else "false"
     return f"to_unsigned({register.initial}, {register.value.width})" if is_wide(register.value) else str(register.initial)
-
-
-def _bare(text):
-    """Without the outermost parentheses, where they enclose the whole."""
-    if not text.startswith("("):
-        return text
-    depth = 0
-    for at, character in enumerate(text):
-        depth += {"(": 1, ")": -1}.get(character, 0)
-        if depth == 0:
-            return text[1:-1] if at == len(text) - 1 else text
-    return text
 
 
 def _wrapped(start, names, end):
