@@ -18,7 +18,7 @@ def main():
     parser.add_argument("--right", required=True, type=Path, help="right image")
     parser.add_argument("--rows", metavar="A:B", help="send only image rows A ... B-1, as the top of a frame")
     parser.add_argument("--frames", type=int, default=1, help="frames back to back; every second one upside down (default 1)")
-    parser.add_argument("--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 90 %% (default 0)")
+    parser.add_argument("--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 95 %% (default 0)")
     parser.add_argument("--seed", type=int, default=1, help="of bubbles and filler pixels (default 1)")
     parser.add_argument("--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit")
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")

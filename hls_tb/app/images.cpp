@@ -13,6 +13,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "app/errors.hpp"
+#include "app/opencv_images.hpp"
 
 namespace stereo::app {
 namespace {
@@ -42,9 +43,6 @@ class SilentStderr {
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 std::string size_text(const GrayImage& image) { return size_text(image.width, image.height); }
 
-/// A view of the pixels, not a copy.
-cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
-
 GrayImage from_mat(const cv::Mat& mat) {
    GrayImage image(mat.cols, mat.rows);
    mat.copyTo(as_mat(image));
@@ -64,12 +62,6 @@ cv::Mat read_any(const std::string& path) {
    return mat;
 }
 
-std::string encode(const cv::Mat& mat) {
-   std::vector<uint8_t> bytes;
-   if (!cv::imencode(".png", mat, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
-   return {bytes.begin(), bytes.end()};
-}
-
 GrayImage cropped(const GrayImage& image, int width, int height) {
    GrayImage result(width, height);
    const int x = (image.width - width) / 2, y = (image.height - height) / 2;
@@ -85,6 +77,21 @@ GrayImage resized(GrayImage image, int width, int height) {
 }
 
 }  // namespace
+
+cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
+
+cv::Mat colored(GrayImage disparity, int disparities) {
+   for (uint8_t& value : disparity.pixels) value = uint8_t(value * 255 / (disparities - 1));
+   cv::Mat color;
+   cv::applyColorMap(as_mat(disparity), color, cv::COLORMAP_TURBO);
+   return color;
+}
+
+std::string encode(const cv::Mat& mat) {
+   std::vector<uint8_t> bytes;
+   if (!cv::imencode(".png", mat, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
+   return {bytes.begin(), bytes.end()};
+}
 
 GrayImage load_gray(const std::string& path) {
    const cv::Mat mat = read_any(path);
@@ -129,11 +136,7 @@ std::string encode_png(const GrayImage& image) {
 }
 
 std::string encode_color_png(const GrayImage& disparity, int disparities) {
-   GrayImage scaled = disparity;
-   for (uint8_t& value : scaled.pixels) value = uint8_t(value * 255 / (disparities - 1));
-   cv::Mat color;
-   cv::applyColorMap(as_mat(scaled), color, cv::COLORMAP_TURBO);
-   return encode(color);
+   return encode(colored(disparity, disparities));
 }
 
 }  // namespace stereo::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Image files in and out. The only part of the program that knows OpenCV.
+// Image files in and out. Only this and overview.hpp know OpenCV, and only inside.
 #pragma once
 
 #include <optional>

@@ -43,12 +43,15 @@ void add_pair_options(CLI::App& command, std::string& left, std::string& right, 
 void add_match(CLI::App& app) {
    static MatchArguments arguments;
    static const std::map<std::string, Engine> kEngines{{"fast", Engine::fast}, {"clocked", Engine::clocked}};
-   CLI::App* command = app.add_subcommand("match", "make a disparity map: disparity.png and disparity_color.png");
+   CLI::App* command = app.add_subcommand("match", "make a disparity map: disparity.png, overview.png, match.json ...");
    command->add_option("--config", arguments.config, "configuration")->required();
    command->add_option("--out", arguments.out, "folder for the results")->required();
    add_choice(*command, "--engine", arguments.engine, kEngines,
               "fast (default): the software model, any size; clocked: the hardware's C++");
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
+   CLI::Option* truth =
+       command->add_option("--truth", arguments.truth, "true disparities of the right image: count bad pixels");
+   truth->needs(command->add_option("--visible", arguments.visible, "pixels that count: not 0")->needs(truth));
    command->callback([] { match(arguments); });
 }
 

@@ -106,8 +106,86 @@ def test_match_engines_agree(tmp_path, match, config):
     assert "clocked core" in clocked
     for name in ("disparity.png", "disparity_color.png"):
         assert png_size(tmp_path / "out" / name) == (WIDTH - DISPARITIES, HEIGHT)
+    pictures = ["disparity.png", "disparity_color.png", "overview.png"]
+    for name in pictures:
         assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "clocked" / name).read_bytes()
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["disparity.png", "disparity_color.png"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted([*pictures, "match.json"])
+
+
+def match_facts(tmp_path):
+    return json.loads((tmp_path / "out" / "match.json").read_text())
+
+
+def test_match_writes_its_facts(tmp_path, match, pair):
+    succeed(*match)
+    facts = match_facts(tmp_path)
+    assert facts.pop("milliseconds") >= 0
+    assert facts == {
+        "format": "stereo-hls match 1", "config": "tiny", "engine": "fast", "left": str(pair[1]), "right": str(pair[3]),
+        "fit": "none", "width_px": WIDTH, "height_px": HEIGHT, "disparities": DISPARITIES, "window_px": 3,
+        "output_width_px": WIDTH - DISPARITIES, "output_height_px": HEIGHT}
+
+
+def test_overview_enlarges_small_images_only(tmp_path, match):
+    succeed(*match)
+    width, height = png_size(tmp_path / "out" / "overview.png")
+    assert width > 3 * 7 * WIDTH and 7 * HEIGHT < height < 9 * HEIGHT + 40, "tiny is enlarged seven times"
+    for option, name in (("--left", "big_l.pgm"), ("--right", "big_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, 300, 200))
+    succeed(*match)
+    width, height = png_size(tmp_path / "out" / "overview.png")
+    assert 3 * 300 < width < 4 * 300 and 200 < height < 250
+
+
+@pytest.mark.parametrize("width, height", [(DISPARITIES + 1, 1), (DISPARITIES + 1, 700), (1500, 1)])
+def test_overview_of_odd_sizes(tmp_path, match, width, height):
+    for option, name in (("--left", "odd_l.pgm"), ("--right", "odd_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, width, height))
+    succeed(*match)
+    size = png_size(tmp_path / "out" / "overview.png")
+    assert size[0] > 3 * width and size[1] > height
+
+
+def gray_image(path, value, width=WIDTH, height=HEIGHT):
+    """A PGM file with value(x, y) at each pixel."""
+    pixels = bytes(value(x, y) for y in range(height) for x in range(width))
+    path.write_bytes(f"P5\n{width} {height}\n255\n".encode() + pixels)
+    return path
+
+
+def test_match_counts_bad_pixels(tmp_path, match):
+    """A pair shifted by 3 has disparity 3 everywhere but where the shift leaves the image."""
+    ground = [[random.Random(x * 100 + y).randrange(256) for x in range(WIDTH + 3)] for y in range(HEIGHT)]
+    match = changed(match, "--left", gray_image(tmp_path / "l.pgm", lambda x, y: ground[y][x]))
+    match = changed(match, "--right", gray_image(tmp_path / "r.pgm", lambda x, y: ground[y][x + 3]))
+    # Row 2: off by one, which is allowed; row 3: off by two; row 4: off, but not visible.
+    truth = gray_image(tmp_path / "t.pgm", lambda x, y: 3 + {2: 1, 3: 2, 4: 2}.get(y, 0))
+    visible = gray_image(tmp_path / "v.pgm", lambda x, y: 0 if y == 4 else 255)
+    out = succeed(*match, "--truth", truth, "--visible", visible)
+    columns = WIDTH - DISPARITIES
+    assert f"bad pixels (> 1 px): {columns} of {columns * (HEIGHT - 1)} visible ones (9.09 %)" in out
+    assert match_facts(tmp_path)["truth"] == {
+        "disparity": str(truth), "visible": str(visible), "tolerance_px": 1, "compared_px": columns * (HEIGHT - 1),
+        "bad_px": columns}
+
+
+def test_match_on_the_generated_scene_is_mostly_right(tmp_path, match):
+    succeed("scene", "--out", tmp_path / "s", "--seed", 1, "--config", "tiny")
+    for option, name in (("--left", "left.png"), ("--right", "right.png")):
+        match = changed(match, option, tmp_path / "s" / name)
+    succeed(*match, "--truth", tmp_path / "s" / "disparity_right.png", "--visible", tmp_path / "s" / "visible_right.png")
+    truth = match_facts(tmp_path)["truth"]
+    assert 0 < truth["compared_px"] <= (WIDTH - DISPARITIES) * HEIGHT and truth["bad_px"] < 0.1 * truth["compared_px"]
+
+
+def test_truth_that_does_not_fit(tmp_path, match):
+    image = write_image(tmp_path / "t.pgm")
+    other = write_image(tmp_path / "other.pgm", WIDTH - 1, HEIGHT)
+    fail(tmp_path, *match, "--truth", image, says=["--visible"])
+    fail(tmp_path, *match, "--visible", image, says=["--truth"])
+    fail(tmp_path, *match, "--truth", other, "--visible", image, says=["--truth", other, "31x12", "32x12"])
+    fail(tmp_path, *match, "--truth", image, "--visible", other, says=["--visible", other, "31x12", "32x12"])
+    fail(tmp_path, *match, "--truth", tmp_path / "no.png", "--visible", image, says=["no.png", "no such file"])
 
 
 def test_match_fast_takes_any_size_and_says_so(tmp_path, match):

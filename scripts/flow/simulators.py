@@ -117,6 +117,7 @@ class Original(Ghdl):
         run([ghdl, "-a", GHDL_STANDARD, "--work=bambu", *sources], cwd=self.work, log=self.work / "library.log")
         self._analyse(self._bench_files()[1:])
 
+
 class Verilator(Simulator):
     """The same VHDL through `ghdl --synth`, for whole frames."""
 

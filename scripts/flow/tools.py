@@ -109,5 +109,5 @@ def run_with_progress(command, on_line, watchdog_seconds, cwd=None):
             on_line(line.strip())
         code = process.wait()
     if code != 0:
-        raise FlowError(f"{Path(command[0]).name} failed with exit code {code}: {' / '.join(tail)}", EXIT_TOOL_FAILED)
+        raise FlowError(f"{Path(command[0]).name} failed with exit code {code}{': ' if tail else ''}{' / '.join(tail)}", EXIT_TOOL_FAILED)
     return time.monotonic() - started

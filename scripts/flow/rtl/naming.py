@@ -2,7 +2,7 @@
 """Gives the registers of the netlist the names they have in C++.
 
 The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register is
-recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls registers` traced the core. The
+recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls trace` traced the core. The
 same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
 """
 

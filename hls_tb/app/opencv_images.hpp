@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// OpenCV's view of our images: shared by images.cpp and overview.cpp, unknown to the rest of the program.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+#include "models/gray_image.hpp"
+
+namespace stereo::app {
+
+/// A view of the pixels, not a copy.
+cv::Mat as_mat(GrayImage& image);
+/// A disparity map in colour, from blue for 0 to red for disparities-1.
+cv::Mat colored(GrayImage disparity, int disparities);
+/// The bytes of a PNG file.
+std::string encode(const cv::Mat& mat);
+
+}  // namespace stereo::app

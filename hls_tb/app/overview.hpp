@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "models/gray_image.hpp"
+
+namespace stereo::app {
+
+/// A PNG for people: left image, right image and disparity map side by side, with captions and a colour bar. The map
+/// stands at the columns of the right image that it belongs to; small images are enlarged by a whole factor.
+std::string encode_overview_png(const ImagePair& pair, const GrayImage& disparity, int disparities);
+
+}  // namespace stereo::app

@@ -1,0 +1,27 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Makes one self-contained HTML page from the folder that scripts/demo.sh filled."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import report  # noqa: E402
+from flow.errors import EXIT_OK, ArgumentParser, run_command  # noqa: E402
+
+
+def main():
+    parser = ArgumentParser(prog="report.py", description=__doc__)
+    parser.add_argument("--demo", required=True, type=Path, metavar="DIR", help="folder of scripts/demo.sh")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default DIR/report.html)")
+    options = parser.parse_args()
+    demo = report.read_demo(options.demo)
+    page = options.out or options.demo / "report.html"
+    report.write_page(page, report.render(demo))
+    print(f"Page: {page}, picture: {options.demo / report.PICTURE}")
+    print(report.summary(demo))
+    return EXIT_OK
+
+
+if __name__ == "__main__":
+    run_command(main)
