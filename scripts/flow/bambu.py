@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs Bambu on the hardware top and reads what it reports."""
 
+import json
 import re
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
 from .errors import EXIT_TOOL_FAILED, FlowError
+from .manifest import hardware_digests
 from .tools import ROOT, find_bambu, run
 
 TOP = "stereo_core"
@@ -30,24 +32,24 @@ class ToolRun:
     report: dict
 
 
-def synthesize(config):
-    """Synthesises one configuration in an empty working directory."""
+def synthesize(config, parameters):
+    """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory = WORK / config
-    shutil.rmtree(directory, ignore_errors=True)
-    directory.mkdir(parents=True)
-    shutil.copytree(ROOT / "hls", directory / "hls", ignore=shutil.ignore_patterns("rtl"))
     options = ["hls/stereo_top.cpp", "-Ihls", f"-DSTEREO_CONFIGURATION={config}", *OPTIONS]
-    log = directory / "bambu.log"
-    run([bambu, *options], cwd=directory, log=log)
-    if not (directory / f"{TOP}.vhd").is_file():
-        raise FlowError(f"Bambu wrote no {TOP}.vhd; see {log}", EXIT_TOOL_FAILED)
-    return ToolRun(
-        vhdl=directory / f"{TOP}.vhd",
-        version=tool_version(bambu),
-        command=" ".join(["bambu", *options]),
-        report=read_log(log.read_text()),
-    )
+    command = " ".join(["bambu", *options])
+    version = tool_version(bambu)
+    inputs = json.dumps([version, command, parameters, hardware_digests()], indent=1, sort_keys=True)
+    stamp, log = directory / "inputs.json", directory / "bambu.log"
+    if not stamp.is_file() or stamp.read_text() != inputs:
+        shutil.rmtree(directory, ignore_errors=True)
+        directory.mkdir(parents=True)
+        shutil.copytree(ROOT / "hls", directory / "hls", ignore=shutil.ignore_patterns("rtl"))
+        run([bambu, *options], cwd=directory, log=log)
+        if not (directory / f"{TOP}.vhd").is_file():
+            raise FlowError(f"Bambu wrote no {TOP}.vhd; see {log}", EXIT_TOOL_FAILED)
+        stamp.write_text(inputs)
+    return ToolRun(vhdl=directory / f"{TOP}.vhd", version=version, command=command, report=read_log(log.read_text()))
 
 
 def tool_version(bambu):

@@ -42,7 +42,7 @@ def generate(config, say=print, out=None):
     """Writes the folder of one configuration, all of it or nothing. Returns its manifest."""
     parameters = configuration(config)
     say(f"{config}: Bambu ...")
-    tool_run = bambu.synthesize(config)
+    tool_run = bambu.synthesize(config, parameters)
     say(f"{config}: lowering ...")
     design = read_design(tool_run.vhdl)
     netlist, named = netlist_of(config, parameters, design, tool_run.vhdl.parent)

@@ -16,20 +16,20 @@ def digest(path):
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
-def hardware_sources():
-    """Every file that decides what the VHDL looks like: the C++ of the core and the steps that write the VHDL.
+def _digests(paths):
+    return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
-    The table of configurations is left out: the manifest holds the one row that counts, so that a new configuration does
-    not make the others stale.
-    """
-    hardware = [path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp"]
-    hardware.append(ROOT / "hls" / "rtl" / "line_memory.vhd")
-    writer = sorted((ROOT / "scripts" / "flow" / "rtl").glob("*.py"))
-    return hardware + writer
+
+def hardware_digests():
+    """The C++ of the core. The table of configurations is left out: a manifest holds the one row that counts, so that a new
+    configuration does not make the others stale."""
+    return _digests(path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp")
 
 
 def source_digests():
-    return {path.relative_to(ROOT).as_posix(): digest(path) for path in hardware_sources()}
+    """Every file that decides what the VHDL looks like: the core, its memory cell and the steps that write the VHDL."""
+    writer = sorted((ROOT / "scripts" / "flow" / "rtl").glob("*.py"))
+    return hardware_digests() | _digests([ROOT / "hls" / "rtl" / "line_memory.vhd", *writer])
 
 
 def write(directory, manifest):

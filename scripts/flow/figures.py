@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a configuration does in a clock and in a second."""
+
+
+def clocks_per_frame(parameters):
+    """Frames back to back take a clock for each group of pixel pairs; co-simulation measures the same."""
+    return parameters["width_px"] * parameters["height_px"] // parameters.get("pixels_per_clock", 1)
+
+
+def evaluations_per_frame(parameters):
+    """Disparity evaluations as publications count them: W*H*D."""
+    return parameters["width_px"] * parameters["height_px"] * parameters["disparities"]
+
+
+def evaluations_per_clock(parameters):
+    return evaluations_per_frame(parameters) / clocks_per_frame(parameters)
+
+
+def speed(parameters, fmax_mhz, luts):
+    """Frames a second, million disparity evaluations a second, and evaluations a second for each LUT."""
+    frames = fmax_mhz * 1e6 / clocks_per_frame(parameters)
+    evaluations = frames * evaluations_per_frame(parameters)
+    return {"frames_per_second": frames, "mde_per_second": evaluations / 1e6, "evaluations_per_second_per_lut": evaluations / luts}
+
+
+def lut_count(result):
+    """LUTs or ALUTs of one target's result."""
+    return result["aluts"] if "aluts" in result else result["luts"]

@@ -1,0 +1,55 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Implements the generated VHDL on FPGA families: area by yosys, on ECP5 also the clock after place and route by nextpnr."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import implement, yosys  # noqa: E402
+from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.tools import GENERATED_RTL, find_ghdl  # noqa: E402
+
+DEFAULT_SEEDS = [1, 2, 3]
+
+
+def chosen(given, known, what):
+    """The values of a repeated option, 'all' expanded, each checked."""
+    for name in given:
+        if name not in known and name != "all":
+            raise FlowError(f"unknown {what} '{name}'; known are: {', '.join(sorted(known))}")
+    return sorted(known) if "all" in given else list(dict.fromkeys(given))
+
+
+def jobs(options):
+    targets = chosen(options.target or ["all"], yosys.TARGETS, "target")
+    if any(seed < 1 for seed in options.seeds):
+        raise FlowError("--seeds must be 1 or more")
+    seeds = sorted(set(options.seeds))
+    if options.rtl:
+        if len(options.config) != 1 or options.config == ["all"]:
+            raise FlowError("--rtl takes the VHDL of one --config")
+        names = options.config
+    else:
+        names = chosen(options.config, implement.known_configurations(), "configuration")
+    return [
+        implement.Job(name, options.rtl or GENERATED_RTL / name, options.out / name if options.out else options.rtl or GENERATED_RTL / name, targets, seeds)
+        for name in names
+    ]
+
+
+def main():
+    parser = ArgumentParser(prog="implement.py", description=__doc__)
+    parser.add_argument("--config", action="append", required=True, metavar="NAME", help="configuration, may be repeated; 'all' for each in generated_rtl")
+    parser.add_argument("--target", action="append", metavar="FAMILY", help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)")
+    parser.add_argument("--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)")
+    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")
+    parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
+    work = jobs(parser.parse_args())
+    find_ghdl()
+    yosys.find_yosys()
+    return max(implement.run_job(job) for job in work)
+
+
+if __name__ == "__main__":
+    run_command(main)
