@@ -62,7 +62,8 @@ TYPED_TEST(DisparityShiftTest, HoldsTheLastPixelsOldestFirst) {
          ASSERT_EQ(shift.right[t], in.right[t]) << "clock " << clock << " t=" << t;
          ASSERT_EQ(shift.left_out[t], lefts.before(t, kCount)) << "clock " << clock << " t=" << t;
          for (int i = 0; i < kCount; ++i)
-            ASSERT_EQ(shift.left[t][i], lefts.before(t, kCount - 1 - i)) << "clock " << clock << " t=" << t << " i=" << i;
+            ASSERT_EQ(shift.left[t][i], lefts.before(t, kCount - 1 - i))
+                << "clock " << clock << " t=" << t << " i=" << i;
       }
    }
 }

@@ -11,8 +11,8 @@
 namespace stereo::test {
 namespace {
 
-/// The definition: a record's place follows from how many records came since the start of its frame. A frame that starts
-/// right behind a whole one first serves as the rows below that one.
+/// The definition: a record's place follows from how many records came since the start of its frame. A frame that
+/// starts right behind a whole one first serves as the rows below that one.
 struct Counted {
    int64_t since_start = -1;  ///< -1: no frame yet
    bool back_to_back = false;

@@ -252,10 +252,10 @@ def test_vectors_first_lines_and_counts(tmp_path, pair, config, pixels):
     stimulus, expected = vectors(tmp_path, pair, config=config)
     latency = json.loads(succeed("configurations", "--json"))[config]["latency_clocks"]
     groups = HEIGHT // pixels
-    clocks = WIDTH * groups + WIDTH + 1 + latency + 4
+    clocks, outputs = WIDTH * groups + WIDTH + 1 + latency + 4, 24 * groups
     assert stimulus[0] == f"stereo-hls stimulus 1 config={config} pixels={pixels} clocks={clocks}"
-    assert expected[0] == f"stereo-hls expected 1 config={config} pixels={pixels} outputs={24 * groups} latency={latency}"
-    assert len(stimulus) == clocks + 1 and len(expected) == 24 * groups + 1
+    assert expected[0] == f"stereo-hls expected 1 config={config} pixels={pixels} outputs={outputs} latency={latency}"
+    assert len(stimulus) == clocks + 1 and len(expected) == outputs + 1
     assert stimulus[1].startswith("3 ") and len(stimulus[1]) == 3 + 4 * pixels
     assert expected[1].split()[1:4] == ["0", "0", "0"] and expected[1].split()[5] == "1"
     assert expected[-1].split()[1:4] == ["23", str(HEIGHT - pixels), "0"] and expected[-1].split()[5] == "2"
@@ -326,8 +326,9 @@ def test_trace_names_what_the_registers_show(tmp_path, config, pixels):
     assert list(difference[1:]) == [a - b for a, b in zip(left, right)][:-1]
     assert min(difference) < 0 < max(difference)
     # 8 disparities in slices of 3, 3 and 2; two levels of winners.
-    for name in ("slice2shift_left_out_0", "slice2winner2_index_0_0", "slice2best_disparity_0", "slice0window_partial_0_1_2",
-                 "slice0window_centre_0_valid", "slice0best_tag_end_of_line", "rows_ready_tag_border_column"):
+    for name in ("slice2shift_left_out_0", "slice2winner2_index_0_0", "slice2best_disparity_0",
+                 "slice0window_partial_0_1_2", "slice0window_centre_0_valid", "slice0best_tag_end_of_line",
+                 "rows_ready_tag_border_column"):
         assert name in trace
     assert not any(name.startswith("slice3") for name in trace)
     assert f"slice2best_cost_{pixels - 1}" in trace and f"slice2best_cost_{pixels}" not in trace

@@ -63,6 +63,16 @@ TEST(FastModel, EqualsTheReferenceWhereSumsPass16Bits) {
        same_map(match_reference(pair.left, pair.right, parameters), match_fast(pair.left, pair.right, parameters)));
 }
 
+TEST(FastModel, FindsTheSmallestSumWhereSumsTimesTheGroupPass32Bits) {
+   // The window covers the whole image. Left is white but for its last column, which only disparity 1 sees: three
+   // columns of differences against two. 8 * 255 * 3 * 800000 needs 33 bits, 8 * 255 * 2 * 800000 only 32.
+   constexpr int kHeight = 800000;
+   GrayImage left(4, kHeight, 255);
+   const GrayImage right(4, kHeight, 0);
+   for (int y = 0; y < kHeight; ++y) left.at(3, y) = 0;
+   EXPECT_TRUE(same_map(GrayImage(2, kHeight, 1), match_fast(left, right, {2, 2 * kHeight + 1})));
+}
+
 TEST(FastModel, RejectsWhatTheReferenceRejects) {
    EXPECT_THROW(match_fast(GrayImage(1, 1), GrayImage(1, 1), {1, 3}), std::invalid_argument);
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), {4, 3}), std::invalid_argument);

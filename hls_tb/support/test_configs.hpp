@@ -44,22 +44,23 @@ struct ConfigNames {
    }
 };
 
-/// For blocks and streams: each value of P, B, K and G with each other value somewhere; slices of one size, with rests of
-/// 1, 2 and more, of at least D; the smallest images, and the narrowest over their disparities.
+/// For blocks and streams: each value of P, B, K and G with each other value somewhere; slices of one size, with rests
+/// of 1, 2 and more, of at least D; the smallest images, and the narrowest over their disparities.
 using SmallConfigs =
     ::testing::Types<Config<8, 3, 2, 3, 1, 2, 3, 2>, Config<9, 3, 8, 3, 1, 3, 1, 3>, Config<8, 23, 3, 3, 1, 25, 2, 4>,
                      Config<23, 7, 5, 5, 1, 2, 2, 2>, Config<8, 5, 3, 5, 1, 3, 3, 16>, Config<10, 5, 9, 5, 1, 4, 1, 4>,
                      Config<8, 4, 7, 3, 2, 3, 2, 3>, Config<9, 6, 4, 5, 2, 2, 3, 4>, Config<40, 8, 27, 3, 2, 25, 1, 2>,
-                     Config<8, 8, 2, 3, 4, 5, 1, 2>, Config<10, 8, 9, 5, 4, 4, 2, 3>, Config<32, 12, 16, 3, 4, 8, 3, 4>>;
+                     Config<8, 8, 2, 3, 4, 5, 1, 2>, Config<10, 8, 9, 5, 4, 4, 2, 3>,
+                     Config<32, 12, 16, 3, 4, 8, 3, 4>>;
 
 /// For the whole core, beside the small ones: larger images and disparity ranges.
-using LargeConfigs =
-    ::testing::Types<Config<90, 11, 64, 5, 1, 25, 3, 16>, Config<270, 4, 256, 3, 1, 25, 3, 2>,
-                     Config<32, 12, 8, 3, 1, 3, 3, 2>, Config<60, 9, 33, 3, 1, 8, 2, 3>, Config<41, 13, 21, 5, 1, 10, 1, 2>,
-                     Config<50, 10, 26, 3, 1, 25, 3, 4>, Config<32, 12, 8, 3, 2, 3, 3, 2>, Config<45, 6, 40, 5, 2, 13, 1, 3>,
-                     Config<270, 6, 256, 5, 2, 64, 2, 4>, Config<31, 10, 17, 3, 2, 4, 3, 3>, Config<9, 6, 8, 5, 2, 7, 2, 2>,
-                     Config<32, 12, 8, 3, 4, 3, 3, 2>, Config<40, 8, 27, 5, 4, 25, 3, 2>, Config<40, 8, 27, 3, 4, 25, 1, 3>,
-                     Config<61, 8, 50, 5, 4, 9, 1, 4>, Config<33, 20, 11, 3, 4, 2, 2, 3>, Config<270, 8, 256, 3, 4, 100, 3, 16>,
-                     Config<8, 8, 7, 5, 4, 6, 3, 4>, Config<24, 16, 10, 5, 4, 3, 2, 2>>;
+using LargeConfigs = ::testing::Types<
+    Config<90, 11, 64, 5, 1, 25, 3, 16>, Config<270, 4, 256, 3, 1, 25, 3, 2>, Config<32, 12, 8, 3, 1, 3, 3, 2>,
+    Config<60, 9, 33, 3, 1, 8, 2, 3>, Config<41, 13, 21, 5, 1, 10, 1, 2>, Config<50, 10, 26, 3, 1, 25, 3, 4>,
+    Config<32, 12, 8, 3, 2, 3, 3, 2>, Config<45, 6, 40, 5, 2, 13, 1, 3>, Config<270, 6, 256, 5, 2, 64, 2, 4>,
+    Config<31, 10, 17, 3, 2, 4, 3, 3>, Config<9, 6, 8, 5, 2, 7, 2, 2>, Config<32, 12, 8, 3, 4, 3, 3, 2>,
+    Config<40, 8, 27, 5, 4, 25, 3, 2>, Config<40, 8, 27, 3, 4, 25, 1, 3>, Config<61, 8, 50, 5, 4, 9, 1, 4>,
+    Config<33, 20, 11, 3, 4, 2, 2, 3>, Config<270, 8, 256, 3, 4, 100, 3, 16>, Config<8, 8, 7, 5, 4, 6, 3, 4>,
+    Config<24, 16, 10, 5, 4, 3, 2, 2>>;
 
 }  // namespace stereo::test

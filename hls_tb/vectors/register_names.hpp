@@ -107,7 +107,8 @@ void visit_window(Visit& visit, const std::string& name, const WindowSum<C, Coun
 }
 
 template <class Visit, int Pixels, int N, int Group, int Levels>
-void visit_winner(Visit& visit, const std::string& slice, const WinnerTree<Pixels, N, Group, Levels>& winner, int level) {
+void visit_winner(Visit& visit, const std::string& slice, const WinnerTree<Pixels, N, Group, Levels>& winner,
+                  int level) {
    if constexpr (Levels > 0) {
       const std::string name = slice + "winner" + std::to_string(level);
       visit_array(visit, name + "_cost", winner.cost);
@@ -133,8 +134,8 @@ void visit_slices(Visit& visit, const DisparitySlice<C, Disparities>& slice, int
 }  // namespace register_names
 
 /// Calls visit(name, value) for each register in data-flow order; `value` is an int64_t. The part of a name before its
-/// first '_' is the block, which in slice number s (from 0, the highest disparities first) begins with "slice<s>". Where
-/// C.cost_clocks joins steps, registers between them are named too, though the hardware has only wires there.
+/// first '_' is the block, which in slice number s (from 0, the highest disparities first) begins with "slice<s>".
+/// Where C.cost_clocks joins steps, registers between them are named too, though the hardware has only wires there.
 template <const StereoConfig& C, class Visit>
 void for_each_register(const StereoCore<C>& core, Visit visit) {
    using namespace register_names;

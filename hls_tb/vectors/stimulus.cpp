@@ -8,8 +8,8 @@ namespace {
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-/// Rows of the smallest crop that gives an output: the first one comes when the window around column 0 of the first group
-/// is complete.
+/// Rows of the smallest crop that gives an output: the first one comes when the window around column 0 of the first
+/// group is complete.
 int least_rows(const StereoConfig& config) {
    const int records = config.delay_groups() * config.width_px + config.disparities + config.radius_px();
    return (records + config.width_px - 1) / config.width_px * config.pixels_per_clock;
@@ -129,8 +129,7 @@ std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, co
                                   " but belongs at x=" + std::to_string(x) + " y=" + std::to_string(y) + " of frame " +
                                   std::to_string(i / frame_size));
       if (place == 0) frames.emplace_back(width, height);
-      for (int p = 0; p < config.pixels_per_clock; ++p)
-         frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
+      for (int p = 0; p < config.pixels_per_clock; ++p) frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
    }
    return frames;
 }

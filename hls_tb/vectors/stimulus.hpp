@@ -27,7 +27,8 @@ struct CoreOutput {
    uint64_t clock = 0;  ///< 0-based index of the clock() call that returned it
    int x = -1, y = -1;  ///< of lane 0, by start of frame and ends of lines, not by the clock
    int frame = -1;      ///< from 0; -1 before the first start of frame
-   std::array<uint8_t, kMostPixels> disparity{};  ///< [p]: at (x, y + p)
+   /// [p]: at (x, y + p)
+   std::array<uint8_t, kMostPixels> disparity{};
    bool start_of_frame = false;
    bool end_of_line = false;
 
@@ -54,7 +55,7 @@ struct StimulusOptions {
    uint64_t seed = 1;                            ///< of the bubbles, of their garbage and of the flush rows
 };
 
-/// Puts records and bubbles in a row. Bubbles and flush records carry garbage on the lanes in use; the other lanes are 0.
+/// Puts records and bubbles in a row. Bubbles and flush records carry garbage on the lanes in use, 0 on the others.
 class StimulusWriter {
   public:
    StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed)
@@ -62,7 +63,8 @@ class StimulusWriter {
 
    /// Random bubbles, then the record.
    void record(const StereoInput& in);
-   /// These rows of the images as the top of a frame, a whole number of groups; upside down: row y is the y-th from below.
+   /// These rows of the images, a whole number of groups, as the top of a frame; upside down: row y is the y-th from
+   /// below.
    void rows(const ImagePair& images, RowRange range, bool upside_down = false);
    void random_records(int count);
    void bubbles(int count);

@@ -94,15 +94,16 @@ TYPED_TEST(StimulusTest, RowsAreTheTopOfAFrame) {
    constexpr const StereoConfig& C = TypeParam::kConfig;
    constexpr int kHeight = 8, kFirst = 3, kLatency = StereoCore<TypeParam::kConfig>::kLatency;
    const ImagePair pair = random_pair(C.width_px, C.height_px, test_seed());
-   const Stimulus made = stimulus<TypeParam::kConfig>({.rows = RowRange{kFirst, kFirst + kHeight}, .stall_percent = 30});
+   const Stimulus made =
+       stimulus<TypeParam::kConfig>({.rows = RowRange{kFirst, kFirst + kHeight}, .stall_percent = 30});
    EXPECT_EQ(valid_clocks(made), C.width_px * kHeight / C.pixels_per_clock);
    EXPECT_FALSE(std::ranges::any_of(made.clocks.end() - kLatency - 4, made.clocks.end(), &StereoInput::valid));
    GrayImage left(C.width_px, kHeight), right(C.width_px, kHeight);
    std::copy_n(pair.left.row(kFirst), left.pixels.size(), left.pixels.begin());
    std::copy_n(pair.right.row(kFirst), right.pixels.size(), right.pixels.begin());
    const GrayImage expected = match_reference(left, right, {C.disparities, C.window_px});
-   // Without the records after its last row, the last groups stay inside; in wide windows also the last r - 1 columns of
-   // the group before them.
+   // Without the records after its last row, the last groups stay inside; in wide windows also the last r - 1 columns
+   // of the group before them.
    const int height = kHeight - C.delay_groups() * C.pixels_per_clock, hidden = C.radius_px() - 1;
    GrayImage seen(expected.width, height), got(expected.width, height);
    std::copy_n(expected.pixels.begin(), seen.pixels.size(), seen.pixels.begin());
@@ -118,7 +119,8 @@ TYPED_TEST(StimulusTest, RowsAreTheTopOfAFrame) {
 TYPED_TEST(StimulusTest, TheSmallestCropGivesOutputsAndASmallerOneIsRefused) {
    constexpr const StereoConfig& C = TypeParam::kConfig;
    constexpr int P = C.pixels_per_clock, kLeast = (C.delay_groups() + 1) * P;
-   EXPECT_GE(run_core<TypeParam::kConfig>(stimulus<TypeParam::kConfig>({.rows = RowRange{1, 1 + kLeast}}).clocks).size(), 1u);
+   EXPECT_GE(
+       run_core<TypeParam::kConfig>(stimulus<TypeParam::kConfig>({.rows = RowRange{1, 1 + kLeast}}).clocks).size(), 1u);
    EXPECT_THROW(stimulus<TypeParam::kConfig>({.rows = RowRange{1, 1 + kLeast - P}}), std::invalid_argument);
    if (P > 1) {
       EXPECT_THROW(stimulus<TypeParam::kConfig>({.rows = RowRange{0, kLeast + 1}}), std::invalid_argument);
@@ -139,7 +141,8 @@ TYPED_TEST(StimulusTest, AllRowsAreAWholeFrame) {
 
 TYPED_TEST(StimulusTest, StallsAddBubblesWithGarbageAndChangeNothingElse) {
    constexpr const StereoConfig& C = TypeParam::kConfig;
-   const Stimulus full_speed = stimulus<TypeParam::kConfig>({}), stalled = stimulus<TypeParam::kConfig>({.stall_percent = 50});
+   const Stimulus full_speed = stimulus<TypeParam::kConfig>({}),
+                  stalled = stimulus<TypeParam::kConfig>({.stall_percent = 50});
    EXPECT_EQ(valid_clocks(full_speed), valid_clocks(stalled));
    EXPECT_GT(stalled.clocks.size(), full_speed.clocks.size() * 3 / 2);
    const auto bubble_that_starts = [](const StereoInput& in) { return !in.valid && in.start_of_frame; };

@@ -76,7 +76,8 @@ std::string word_text(std::span<const uint8_t, kMostPixels> lanes, int pixels) {
 
 /// Sets the lanes; false where the text is not a word of P pixels.
 bool parse_word(std::string_view text, int pixels, std::span<uint8_t, kMostPixels> lanes) {
-   if (text.size() != 2 * std::size_t(pixels) || text.find_first_not_of(kHexDigits) != std::string_view::npos) return false;
+   if (text.size() != 2 * std::size_t(pixels) || text.find_first_not_of(kHexDigits) != std::string_view::npos)
+      return false;
    uint32_t word = 0;
    std::from_chars(text.data(), text.data() + text.size(), word, 16);
    set_lanes(lanes, word);

@@ -6,9 +6,11 @@
 //   F   one hex digit: bit 0 valid, bit 1 start of frame
 //   LL  left, RR right pixels: words of 2*P lower-case hex digits, as the ports take them; bits 8p+7 ... 8p are lane p,
 //       so the last lane, the lowest of the P rows, comes first in the text
-// expected.txt: a first line "stereo-hls expected 1 config=<name> pixels=<P> outputs=<N> latency=<clocks>", then N lines
-//   "clock x y frame WORD flags", one a valid output: the members of CoreOutput, decimal but for WORD, the disparities as
-//   a word of 2*P hex digits like those above; y is the row of lane 0; flags: bit 0 start of frame, bit 1 end of line.
+// expected.txt: a first line "stereo-hls expected 1 config=<name> pixels=<P> outputs=<N> latency=<clocks>", then N
+//   lines "clock x y frame WORD flags", one a valid output, decimal but for WORD:
+//   y      the row of lane 0
+//   WORD   the disparities, a word like those above
+//   flags  bit 0 start of frame, bit 1 end of line
 #pragma once
 
 #include <iosfwd>

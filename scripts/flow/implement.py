@@ -104,7 +104,8 @@ def implement_target(job, target, files, progress):
         reports[seed] = nextpnr.route(program, seed, work)
     if reports:
         tools["nextpnr"] = nextpnr.version(program, work)
-        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, **nextpnr.clocks(reports, nextpnr.register_names(verilog))}
+        names = nextpnr.register_names(verilog, json.loads((work / "netlist.json").read_text()))
+        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, **nextpnr.clocks(reports, names)}
     stage("done", 2 + len(seeds))
     return result | {"synthesis": target.synthesis, "tools": tools}, lost
 

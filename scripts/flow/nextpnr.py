@@ -94,9 +94,20 @@ def clocks(reports, names):
     }
 
 
-def register_names(verilog):
-    """{name of a flip-flop in ghdl's Verilog: name in the VHDL}."""
-    return {register: name for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE)}
+def register_names(verilog, netlist):
+    """{cell of yosys's netlist: register of the VHDL that it holds}.
+
+    yosys names a flip-flop after any wire that it drives, so the way back goes over its output: ghdl's Verilog says
+    `assign NAME = n123_q` for each register of the VHDL, and the netlist still knows the bits of both wires.
+    """
+    module = netlist["modules"]["stereo_core"]
+    owner = {}
+    for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE):
+        for wire in (name, register):
+            for bit in module["netnames"].get(wire, {"bits": []})["bits"]:
+                owner.setdefault(bit, name)
+    flip_flops = {name: cell["connections"]["Q"][0] for name, cell in module["cells"].items() if cell["type"] == "TRELLIS_FF"}
+    return {name: owner[bit] for name, bit in flip_flops.items() if bit in owner}
 
 
 def critical_path(report, names):
@@ -109,12 +120,6 @@ def critical_path(report, names):
 
 
 def vhdl_name(cell, names):
-    """The register of the VHDL that a cell of the netlist belongs to. Cells are called after the net they drive."""
+    """The register or memory of the VHDL that a cell of the netlist belongs to."""
     instance, dot, _ = cell.partition(".")
-    if dot:
-        return instance  # a memory
-    match = re.match(r"n\d+_q", cell)
-    if match:
-        return names.get(match.group(), "unknown")
-    fitting = [name for name in names.values() if cell == name or cell.startswith(name + "_")]
-    return max(fitting, key=len, default="unknown")
+    return names.get(cell) or (instance if dot else "unknown")

@@ -40,7 +40,7 @@ def test_missing_option(nothing_written):
 
 
 def test_unknown_configuration(pair, nothing_written):
-    refused(cosim("huge", pair, nothing_written), 2, "unknown configuration 'huge'", "ambrosch2007, tiny")
+    refused(cosim("huge", pair, nothing_written), 2, "unknown configuration 'huge'", "ambrosch2007, ", "tiny")
     refused(call("synthesize.py", "--config", "huge", "--check"), 2, "unknown configuration 'huge'")
 
 

@@ -95,7 +95,8 @@ def test_a_failing_tool_leaves_nothing_behind(tmp_path):
     assert process.returncode == 4
     assert "bambu failed with exit code 7" in process.stderr
     assert not (tmp_path / "rtl" / "tiny").exists()
-    (command,) = (tmp_path / "bambu.calls").read_text().splitlines()
+    version, command = (tmp_path / "bambu.calls").read_text().splitlines()
+    assert version == "--version"
     for option in ("hls/stereo_top.cpp", "-DSTEREO_CONFIGURATION=tiny", "--top-fname=stereo_core", "-wH", "--generate-components-library"):
         assert option in command.split()
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// How fast the software is: the fast model beside OpenCV's StereoBM, one thread each, and the clocked core.
+//
+// Mde/s counts million disparity evaluations a second: outputs that are computed, times disparities that are tried for
+// each. Both matchers run on the same generated scene.
+#include <benchmark/benchmark.h>
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core.hpp>
+
+#include "models/fast_model.hpp"
+#include "models/scene.hpp"
+#include "vectors/configuration_table.hpp"
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+stereo::ImagePair scene(int disparities) {
+   return stereo::make_scene({.width = kWidth, .height = kHeight, .disparities = disparities}).images;
+}
+
+void count_evaluations(benchmark::State& state, double columns, double rows, double disparities) {
+   state.counters["Mde/s"] =
+       benchmark::Counter(columns * rows * disparities * 1e-6, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+/// (W-D) x H outputs.
+void fast_model(benchmark::State& state) {
+   const int disparities = int(state.range(0)), window = int(state.range(1));
+   const stereo::ImagePair pair = scene(disparities);
+   for (auto _ : state) benchmark::DoNotOptimize(stereo::match_fast(pair.left, pair.right, {disparities, window}));
+   count_evaluations(state, kWidth - disparities, kHeight, disparities);
+}
+
+/// (W-D+1) x (H-B+1) outputs: all left pixels with a complete disparity range, in rows with a complete window. StereoBM
+/// fills the rest of its map without looking at it.
+void opencv_stereo_bm(benchmark::State& state) {
+   const int disparities = int(state.range(0)), window = int(state.range(1));
+   stereo::ImagePair pair = scene(disparities);
+   const cv::Mat left(kHeight, kWidth, CV_8U, pair.left.pixels.data());
+   const cv::Mat right(kHeight, kWidth, CV_8U, pair.right.pixels.data());
+   const cv::Ptr<cv::StereoBM> matcher = cv::StereoBM::create(disparities, window);
+   cv::setNumThreads(1);
+   cv::Mat map;
+   for (auto _ : state) matcher->compute(left, right, map);
+   count_evaluations(state, kWidth - disparities + 1, kHeight - window + 1, disparities);
+}
+
+void clocked_core(benchmark::State& state, const char* name) {
+   const stereo::Configuration& configuration = *stereo::find_configuration(name);
+   const stereo::StereoConfig& config = configuration.config;
+   const stereo::Stimulus stimulus =
+       stereo::make_stimulus(name, config, configuration.latency_clocks, scene(config.disparities));
+   for (auto _ : state) benchmark::DoNotOptimize(configuration.run(stimulus.clocks));
+   state.counters["clocks/s"] =
+       benchmark::Counter(double(stimulus.clocks.size()), benchmark::Counter::kIsIterationInvariantRate);
+   count_evaluations(state, config.output_width_px(), config.height_px, config.disparities);
+}
+
+// Disparities, window.
+BENCHMARK(fast_model)->Args({100, 3})->Args({96, 5})->Args({112, 5})->Unit(benchmark::kMillisecond);
+BENCHMARK(opencv_stereo_bm)->Args({96, 5})->Args({112, 5})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(clocked_core, ambrosch2007, "ambrosch2007")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(clocked_core, ambrosch2007_p2, "ambrosch2007_p2")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(clocked_core, ambrosch2007_p4, "ambrosch2007_p4")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

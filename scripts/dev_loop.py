@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Times the developer's loop, from a changed header to a simulated frame of new VHDL. Writes only to build/."""
+
+import sys
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.dev_loop import DevLoop  # noqa: E402
+from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+
+
+def main():
+    parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
+    parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
+    parser.add_argument("--preset", default="release", help="CMake preset whose build folder is used (default release)")
+    parser.add_argument("--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)")
+    parser.add_argument("--rows", type=int, default=8, metavar="N", help="rows of the crop in GHDL (default 8)")
+    options = parser.parse_args()
+    if options.rows < 2:
+        raise FlowError("--rows must be 2 or more")
+    loop = DevLoop(options.config, options.preset, options.header, options.rows)
+    console = Console(highlight=False, soft_wrap=True)
+    timings = []
+    table = Table("step", "seconds", "", title=f"Developer's loop, {options.config}")
+    with console.status("") as status:
+        status.update("bringing the build up to date")
+        loop.prepare()
+        for name, step in loop.steps():
+            status.update(name)
+            timing = loop.measure(name, step)
+            timings.append(timing)
+            seconds = "SKIP" if timing.skipped else f"{timing.seconds:.1f}"
+            note = timing.skipped or (f"FAILED: {timing.failed}" if timing.failed else timing.note)
+            console.print(f"{name}: {seconds}{f': {note}' if timing.skipped or timing.failed else ' s'}")
+            table.add_row(name, seconds, note)
+    console.print(table)
+    failures = [timing.step for timing in timings if timing.failed]
+    if failures:
+        raise FlowError(f"failed: {', '.join(failures)}", EXIT_MISMATCH)
+    return EXIT_OK
+
+
+if __name__ == "__main__":
+    run_command(main)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Times the steps that a developer repeats after a change of the C++."""
+
+import json
+import os
+import shutil
+import time
+from dataclasses import dataclass
+
+from . import bambu
+from .errors import FlowError
+from .tools import GENERATED_RTL, ROOT, find_bambu, find_ghdl, find_verilator, run
+
+SCRIPTS = ROOT / "scripts"
+WORK = ROOT / "build" / "dev_loop"
+ORIGINAL_ROWS = 3  # as Bambu's own VHDL takes about a second for 100 clocks
+
+
+@dataclass
+class Timing:
+    step: str
+    seconds: float = 0.0
+    note: str = ""
+    skipped: str = ""  # why, when it did not run
+    failed: str = ""  # how, when it did not succeed
+
+
+class DevLoop:
+    def __init__(self, config, preset, header, crop_rows):
+        self.config, self.preset, self.crop_rows = config, preset, crop_rows
+        self.header = ROOT / "hls" / header
+        self.build = ROOT / "build" / preset
+        if not self.header.is_file():
+            raise FlowError(f"there is no hls/{header}")
+        if not (GENERATED_RTL / config / "manifest.json").is_file():
+            raise FlowError(f"unknown configuration '{config}': generated_rtl/{config} has no manifest.json")
+        if not (self.build / "CMakeCache.txt").is_file():
+            raise FlowError(f"build/{preset} is not configured; run: cmake --preset {preset} && cmake --build --preset {preset}")
+        os.environ["STEREO_HLS"] = str(self.build / "stereo_hls")  # for the commands called below
+
+    def steps(self):
+        """(name, function) in the order of a developer's day; a function returns a note."""
+        return [
+            (f"native build after a change of hls/{self.header.name}", self.native_build),
+            ("native tests (ctest -L unit)", self.unit_tests),
+            ("Bambu, lowering, VHDL", self.synthesis),
+            (f"VHDL in GHDL, {self.crop_rows} rows", lambda: self.cosim("ghdl", self.crop_rows)),
+            ("VHDL in GHDL, whole frame", lambda: self.cosim("ghdl")),
+            ("VHDL in Verilator, whole frame", lambda: self.cosim("verilator")),
+            (f"Bambu's own VHDL in GHDL, {ORIGINAL_ROWS} rows", lambda: self.cosim("original", ORIGINAL_ROWS)),
+        ]
+
+    def measure(self, name, step):
+        started = time.monotonic()
+        try:
+            note = step()
+        except Skipped as reason:
+            return Timing(name, skipped=str(reason))
+        except FlowError as error:
+            return Timing(name, time.monotonic() - started, failed=str(error))
+        return Timing(name, time.monotonic() - started, note)
+
+    def prepare(self):
+        """What must be there before the first step is timed: an up-to-date build and a pair of images."""
+        WORK.mkdir(parents=True, exist_ok=True)
+        run(["cmake", "--build", self.build], log=WORK / "up_to_date.log")
+        run([os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"], passes_errors=True)
+        shutil.rmtree(WORK / "rtl", ignore_errors=True)
+
+    def native_build(self):
+        os.utime(self.header)
+        run(["cmake", "--build", self.build], log=WORK / "build.log")
+        return ""
+
+    def unit_tests(self):
+        output = run(["ctest", "--test-dir", self.build, "-L", "unit", "--no-tests=error"], log=WORK / "unit.log")
+        return next((line.split(",")[0] for line in output.splitlines() if "tests passed" in line), "")
+
+    def synthesis(self):
+        need(find_bambu)
+        # Else the tool's last run would be taken, as a touched header has the same content.
+        (bambu.WORK / self.config / "inputs.json").unlink(missing_ok=True)
+        run([SCRIPTS / "synthesize.py", "--config", self.config, "--out", WORK / "rtl"], log=WORK / "synthesis.log", passes_errors=True)
+        return "into build/"
+
+    def cosim(self, simulator, rows=None):
+        need(find_verilator if simulator == "verilator" else find_ghdl)
+        if simulator == "original":
+            need(find_bambu)
+        # From scratch, as after a change.
+        shutil.rmtree(ROOT / "build" / "cosim" / "simulators" / f"{self.config}-{simulator}", ignore_errors=True)
+        name, new_rtl = f"{simulator}{'-crop' if rows else ''}", WORK / "rtl" / self.config
+        command = [SCRIPTS / "cosim.py", "--config", self.config, "--simulator", simulator, "--out", WORK / name]
+        command += ["--left", WORK / "scene" / "left.png", "--right", WORK / "scene" / "right.png"]
+        command += ["--rows", f"0:{rows}"] if rows else []
+        command += ["--rtl", new_rtl] if new_rtl.is_dir() else []
+        run(command, log=WORK / f"{name}.log", passes_errors=True)
+        report = json.loads((WORK / name / "report.json").read_text())
+        return f"build {report['build_seconds']:.1f} s, run {report['simulation_seconds']:.2f} s, {report['clocks_per_second']:,.0f} clocks/s"
+
+
+class Skipped(Exception):
+    pass
+
+
+def need(find):
+    """Turns a missing tool into a skipped step."""
+    try:
+        find()
+    except FlowError as error:
+        raise Skipped(str(error)) from None

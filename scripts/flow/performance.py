@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""docs/performance.md: tables made from committed files only, so that anyone gets the same page."""
+
+import json
+
+from . import figures, implement, manifest
+from .errors import FlowError
+from .tools import GENERATED_RTL, ROOT
+from .yosys import TARGETS
+
+PAGE = ROOT / "docs" / "performance.md"
+PIPELINE_DEPTH = ROOT / "docs" / "pipeline_depth.json"
+PIPELINE_FORMAT = "stereo-hls pipeline depth 1"
+PIPELINE_KEYS = ("cost_clocks", "winner_group", "slice_disparities", "latency_clocks", "luts", "ffs", "fmax_mhz")
+PAPER = {"width_px": 320, "height_px": 240, "disparities": 100}
+UNKNOWN = "-"
+
+# (system, clocks a frame of 320x240 with 100 disparities, frames a second, ALUTs, memory bits, Mde/s, where the numbers are from)
+PUBLISHED = [
+    ("Ambrosch et al. 2007, 3x3, Stratix II, 65 MHz", 153_120, 425, 15_616, 884_736, None, "the paper, section 4"),
+    ("Vitis Vision StereoBM, 100 units, 5x5", 79_056, None, None, None, None, "its loop bounds"),
+    ("Strother dlsc SAD core, 2 rows at once, 5x5", 27_000, None, None, None, None, "its header; about"),
+    ("best FPGA row found: SGM 3840x2160x64 at 30 frames a second", None, None, None, None, 15_925, "its publication"),
+]
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def number(value, digits=0):
+    return UNKNOWN if value is None else f"{value:,.{digits}f}"
+
+
+class Configuration:
+    """The committed files of one configuration. `targets` is empty when it is not implemented yet."""
+
+    def __init__(self, name):
+        self.name = name
+        self.manifest = manifest.read(GENERATED_RTL / name)
+        self.parameters = self.manifest["parameters"]
+        result = implement.read(GENERATED_RTL / name)
+        if result is not None and not implement.is_fresh(result, self.manifest):
+            raise FlowError(f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}", 1)
+        self.targets = result["targets"] if result else {}
+
+    def size(self):
+        p = self.parameters
+        return f"{p['width_px']}x{p['height_px']}, D={p['disparities']}, {p['window_px']}x{p['window_px']}, P={p.get('pixels_per_clock', 1)}"
+
+    def clock(self):
+        """Routed clock and what follows from it, or {} when there is none."""
+        routed = self.targets.get("ecp5")
+        if not routed:
+            return {}
+        median = routed["fmax_mhz"]["median"]
+        return {"median": median, "best": routed["fmax_mhz"]["best"], "path": routed["critical_path"], **figures.speed(self.parameters, median, figures.lut_count(routed))}
+
+
+def code(command):
+    return f"`{command}`"
+
+
+def per_clock_table(configurations):
+    rows = [
+        [code(c.name), c.size(), number(figures.clocks_per_frame(c.parameters)), number(c.parameters["latency_clocks"]),
+         number(figures.evaluations_per_clock(c.parameters)), number(c.manifest["tool_report"]["register_bits"]),
+         number(c.manifest["tool_report"]["memory_bits"]), code(f"scripts/performance.py --config {c.name}")]
+        for c in configurations
+    ]
+    return table(["configuration", "size", "clocks a frame", "latency, clocks", "evaluations a clock", "register bits", "memory bits", "printed by"], rows)
+
+
+def area_table(configurations):
+    rows = []
+    for c in configurations:
+        for name in TARGETS:
+            result = c.targets.get(name)
+            values = [number(figures.lut_count(result)) + " " + TARGETS[name].lut_name, number(result["ffs"]), number(result["block_rams"])] if result else [UNKNOWN] * 3
+            rows.append([code(c.name), name, *values, code(f"scripts/implement.py --config {c.name} --target {name}")])
+    return table(["configuration", "family", "look-up tables", "flip-flops", "block RAMs", "printed by"], rows)
+
+
+def speed_table(configurations):
+    rows = []
+    for c in configurations:
+        clock = c.clock()
+        path = clock.get("path")
+        rows.append([
+            code(c.name), number(clock.get("median"), 1), number(clock.get("best"), 1), number(clock.get("frames_per_second")),
+            number(clock.get("mde_per_second")), number(clock["evaluations_per_second_per_lut"] / 1e3) if clock else UNKNOWN,
+            f"{code(path['from'])} to {code(path['to'])}" if path else UNKNOWN, code(f"scripts/implement.py --config {c.name} --target ecp5"),
+        ])
+    return table(["configuration", "MHz, median", "MHz, best seed", "frames a second", "Mde/s", "thousand evaluations/s per LUT", "slowest path", "printed by"], rows)
+
+
+def comparison_table(configurations):
+    evaluations = figures.evaluations_per_frame(PAPER)
+    rows = []
+    for system, clocks, fps, aluts, bits, mde, source in PUBLISHED:
+        speed = mde or (fps and fps * evaluations / 1e6)
+        rows.append([system, number(clocks), number(clocks and evaluations / clocks, 1), number(fps), number(speed), number(aluts), number(bits), source])
+    for c in configurations:
+        if any(c.parameters[key] != value for key, value in PAPER.items()):
+            continue
+        clock, cyclone = c.clock(), c.targets.get("cyclonev")
+        rows.append([
+            f"this core, {code(c.name)}", number(figures.clocks_per_frame(c.parameters)), number(figures.evaluations_per_clock(c.parameters), 1),
+            number(clock.get("frames_per_second")), number(clock.get("mde_per_second")), number(cyclone and cyclone["aluts"]),
+            number(c.manifest["tool_report"]["memory_bits"]), code(f"scripts/implement.py --config {c.name}"),
+        ])
+    return table(["system", "clocks a frame", "evaluations a clock", "frames a second", "Mde/s", "ALUTs", "memory bits", "from"], rows)
+
+
+def pipeline_table():
+    """The measured choices of pipeline depth, or a sentence that there are none."""
+    try:
+        data = json.loads(PIPELINE_DEPTH.read_text())
+    except OSError:
+        return "Not measured yet."
+    except ValueError as error:
+        raise FlowError(f"damaged {PIPELINE_DEPTH}: {error}") from None
+    if not isinstance(data, dict) or data.get("format") != PIPELINE_FORMAT:
+        raise FlowError(f"damaged {PIPELINE_DEPTH}: not of format '{PIPELINE_FORMAT}'")
+    missing = sorted({key for point in data["points"] for key in PIPELINE_KEYS if key not in point})
+    if missing:
+        raise FlowError(f"damaged {PIPELINE_DEPTH}: a point has no {', '.join(missing)}")
+    points = sorted(data["points"], key=lambda p: [p[key] for key in PIPELINE_KEYS[:3]])
+    rows = [[number(point[key], 1 if key == "fmax_mhz" else 0) for key in PIPELINE_KEYS] for point in points]
+    return table(["cost_clocks", "winner_group", "slice_disparities", "latency, clocks", "LUT4", "flip-flops", "MHz"], rows) + (
+        f"\n\nConfiguration `{data['configuration']}` on ECP5; printed by `{data['command']}`.")
+
+
+TEXT = """\
+# Performance
+
+Made by `scripts/performance.py` from the manifest.json and implementation.json of the folders in `generated_rtl/`. Do not
+edit. A dash is a number that is not published or not measured yet.
+
+W, H: image size; D: disparities; P: pixel pairs a clock; Mde/s: million disparity evaluations, W\\*H\\*D each frame, a second.
+
+## In clocks
+
+A frame takes W\\*H/P clocks when frames follow each other; the co-simulation measures the same.
+
+{per_clock}
+
+## Clock and speed on ECP5
+
+LFE5U-85F, speed grade 8, after place and route by nextpnr; the median of the seeds counts. Paths from and to pins are not
+constrained.
+
+{speed}
+
+## Area
+
+By yosys. LUT RAM counts as look-up tables: on ECP5 a 16x4 RAM as 6 and a carry cell as 2 (nextpnr counts the same), on
+Cyclone V a 32x1 MLAB bit and an inverter as 1, on 7 series a RAM32M as 4 and an inverter or SRL as 1. Multiplexers and
+carry cells that stand beside the look-up tables are not counted; implementation.json lists every kind of cell.
+
+{area}
+
+## Beside published numbers
+
+Evaluations a clock are for 320x240 and D = 100. ALUTs of this core are those of Cyclone V by yosys; the paper's are of
+Stratix II by Altera's tools. The frames a second of this core are those of ECP5.
+
+{comparison}
+
+## Pipeline depth
+
+{pipeline}
+"""
+
+
+def page():
+    configurations = [Configuration(name) for name in implement.known_configurations()]
+    return TEXT.format(per_clock=per_clock_table(configurations), speed=speed_table(configurations), area=area_table(configurations),
+                       comparison=comparison_table(configurations), pipeline=pipeline_table())
+
+
+def is_up_to_date():
+    return PAGE.is_file() and PAGE.read_text() == page()

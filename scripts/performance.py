@@ -1,0 +1,43 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes docs/performance.md from the committed manifests and implementation results. Runs no tool."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import implement, performance  # noqa: E402
+from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+
+
+def main():
+    parser = ArgumentParser(prog="performance.py", description=__doc__)
+    chosen = parser.add_mutually_exclusive_group()
+    chosen.add_argument("--check", action="store_true", help="only say whether the page is up to date")
+    chosen.add_argument("--config", metavar="NAME", help="only print the recorded numbers of one configuration")
+    options = parser.parse_args()
+    if options.config:
+        return show(options.config)
+    if options.check:
+        if not performance.is_up_to_date():
+            raise FlowError("docs/performance.md is not up to date; run scripts/performance.py", EXIT_MISMATCH)
+        print("docs/performance.md is up to date")
+        return EXIT_OK
+    text = performance.page()
+    performance.PAGE.parent.mkdir(exist_ok=True)
+    performance.PAGE.write_text(text)
+    print(f"wrote {performance.PAGE.relative_to(performance.ROOT)}")
+    return EXIT_OK
+
+
+def show(name):
+    if name not in implement.known_configurations():
+        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(implement.known_configurations())}")
+    configuration = performance.Configuration(name)
+    for make in (performance.per_clock_table, performance.speed_table, performance.area_table):
+        print(make([configuration]), end="\n\n")
+    return EXIT_OK
+
+
+if __name__ == "__main__":
+    run_command(main)

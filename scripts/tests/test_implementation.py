@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Area and clock budgets of the committed results, and that yosys still gives those of `tiny`."""
+
+import pytest
+from conftest import need
+from flow import figures, implement, manifest
+from flow.tools import GENERATED_RTL
+from flow_commands import call
+
+CONFIGURATIONS = implement.known_configurations()
+PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
+MOST_MEMORY_BITS = 16_384  # of the paper's 884,736
+LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110}
+
+
+def committed(name, target=None):
+    """The committed result of a configuration, or of one of its targets."""
+    result = implement.read(GENERATED_RTL / name)
+    if result is None or (target and target not in result["targets"]):
+        pytest.skip(f"SKIP: {name} is not implemented yet{' on ' + target if target else ''}; run scripts/implement.py --config {name}")
+    return result["targets"][target] if target else result
+
+
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_results_are_of_the_committed_vhdl(name):
+    result, entry = committed(name), manifest.read(GENERATED_RTL / name)
+    assert result["configuration"] == name
+    assert implement.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
+
+
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_line_memories_are_ram(name):
+    for target, result in committed(name)["targets"].items():
+        assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
+        assert result["memory_bits"] == manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
+
+
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_flip_flops_are_about_the_registers(name):
+    """More would be memory in flip-flops; fewer, a core that was optimised away."""
+    register_bits = manifest.read(GENERATED_RTL / name)["tool_report"]["register_bits"]
+    for target, result in committed(name)["targets"].items():
+        assert 0.8 * register_bits <= result["ffs"] <= 1.1 * register_bits + 300, f"{name} on {target}"
+
+
+def test_fewer_aluts_than_the_paper():
+    assert committed("ambrosch2007", "cyclonev")["aluts"] <= PAPER_ALUTS
+
+
+def test_memory_bits():
+    for target, result in committed("ambrosch2007")["targets"].items():
+        assert result["memory_bits"] <= MOST_MEMORY_BITS, target
+
+
+@pytest.mark.parametrize("name", LEAST_MHZ)
+def test_routed_clock(name):
+    result = committed(name, "ecp5")
+    assert len(result["seeds"]) >= 3
+    assert result["fmax_mhz"]["median"] >= LEAST_MHZ[name]
+
+
+@pytest.mark.parametrize("target", ["ecp5", "cyclonev", "xc7"])
+@pytest.mark.parametrize("pixels", [2, 4])
+def test_wider_input_shares_logic(pixels, target):
+    wide, narrow = (committed(name, target) for name in (f"ambrosch2007_p{pixels}", "ambrosch2007"))
+    assert figures.lut_count(wide) < pixels * figures.lut_count(narrow)
+
+
+@pytest.fixture
+def tools(ghdl):
+    need("yosys", "YOSYS")
+
+
+def area(result):
+    return {key: result.get(key) for key in ("luts", "aluts", "ffs", "memory_bits", "block_rams", "memory_in_flip_flops", "cells")}
+
+
+@pytest.mark.parametrize("target", ["cyclonev", "xc7"])
+def test_yosys_gives_the_committed_area_of_tiny(tools, tmp_path, target):
+    check_tiny(tmp_path, target)
+
+
+def test_yosys_and_nextpnr_give_the_committed_numbers_of_tiny(tools, tmp_path):
+    check_tiny(tmp_path, "ecp5", "--seeds", 1)
+
+
+def check_tiny(folder, target, *options):
+    expected = committed("tiny", target)
+    process = call("implement.py", "--config", "tiny", "--target", target, "--out", folder, *options)
+    if process.returncode == 3:
+        pytest.skip(f"SKIP: {process.stderr.strip()}")
+    assert process.returncode == 0, process.stderr
+    result = implement.read(folder / "tiny")["targets"][target]
+    if result["tools"] != expected["tools"]:
+        pytest.skip(f"SKIP: the committed numbers are of {expected['tools']}, installed are {result['tools']}")
+    assert area(result) == area(expected)
+    if "fmax_mhz" in expected:
+        assert result["fmax_mhz"]["by_seed"]["1"] == expected["fmax_mhz"]["by_seed"]["1"]

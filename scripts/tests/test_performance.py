@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""docs/performance.md follows from the committed files, and its tables say what the files say."""
+
+import json
+import shutil
+
+import pytest
+from flow import implement, manifest, performance
+from flow.errors import FlowError
+from flow.tools import GENERATED_RTL
+from flow_commands import call, refused
+
+AREA = {"ffs": 1500, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {}}
+ECP5 = {**AREA, "luts": 1000, "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
+        "critical_path": {"from": "raster_group", "to": "slice0cost_pair_0", "block": "slice0cost"}}
+
+
+@pytest.fixture
+def folders(tmp_path, monkeypatch):
+    """A copy of generated_rtl/tiny alone, for performance.py to read."""
+    shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
+    (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
+    for module in (performance, implement):
+        monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(performance, "PIPELINE_DEPTH", tmp_path / "pipeline_depth.json")
+    return tmp_path
+
+
+def record(folders, targets):
+    entry = manifest.read(folders / "tiny")
+    for target, result in targets.items():
+        implement.merge(folders / "tiny", entry, target, result)
+
+
+def row(text, *words):
+    return next(line for line in text.splitlines() if all(word in line for word in words))
+
+
+def test_committed_page_is_up_to_date():
+    process = call("performance.py", "--check")
+    assert process.returncode == 0, process.stderr
+
+
+def test_page_without_results(folders):
+    page = performance.page()
+    assert "Not measured yet." in page
+    assert "| 384 |" in row(page, "`tiny`", "32x12")
+    assert "| - | - | - |" in row(page, "`tiny`", "xc7")
+
+
+def test_page_with_results(folders):
+    record(folders, {"ecp5": ECP5, "cyclonev": {**AREA, "aluts": 1389}})
+    page = performance.page()
+    assert "1,389 ALUT | 1,500 | 2" in row(page, "`tiny`", "cyclonev")
+    # 192 MHz / 384 clocks a frame = 500,000 frames a second of 3,072 evaluations
+    assert "| 192.0 | 200.2 | 500,000 | 1,536 | 1,536 |" in row(page, "`tiny`", "raster_group")
+
+
+def test_published_numbers(folders):
+    page = performance.page()
+    assert "| 153,120 | 50.2 | 425 | 3,264 | 15,616 | 884,736 |" in row(page, "Ambrosch")
+    assert "79,056" in row(page, "Vitis") and "15,925" in row(page, "SGM")
+
+
+def test_stale_results_are_refused(folders):
+    record(folders, {"ecp5": ECP5})
+    path = folders / "tiny" / "implementation.json"
+    result = json.loads(path.read_text())
+    result["vhdl_digest"] = {"stereo_core.vhd": "0"}
+    path.write_text(json.dumps(result))
+    with pytest.raises(FlowError, match="of other VHDL"):
+        performance.page()
+
+
+def test_pipeline_depth(folders):
+    point = {"cost_clocks": 3, "winner_group": 2, "slice_disparities": 25, "latency_clocks": 30, "luts": 17000, "ffs": 14000, "fmax_mhz": 131.25}
+    data = {"format": performance.PIPELINE_FORMAT, "configuration": "ambrosch2007", "command": "a command", "points": [point, {**point, "cost_clocks": 1}]}
+    performance.PIPELINE_DEPTH.write_text(json.dumps(data))
+    page = performance.page()
+    assert page.index("| 1 | 2 | 25 | 30 | 17,000") < page.index("| 3 | 2 | 25 | 30 | 17,000 | 14,000 | 131.2 |")
+    del point["ffs"]
+    performance.PIPELINE_DEPTH.write_text(json.dumps(data))
+    with pytest.raises(FlowError, match="a point has no ffs"):
+        performance.page()
+
+
+def test_bad_options():
+    refused(call("performance.py", "--config", "nonsense"), 2, "unknown configuration 'nonsense'")
+    refused(call("performance.py", "--check", "--config", "tiny"), 2, "not allowed with")
+
+
+@pytest.mark.parametrize("options,words", [
+    (["--rows", "1"], ["--rows must be 2 or more"]),
+    (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
+    (["--config", "nonsense"], ["unknown configuration 'nonsense'"]),
+    (["--preset", "nonsense"], ["build/nonsense is not configured"]),
+])
+def test_dev_loop_refuses(options, words):
+    refused(call("dev_loop.py", *options), 2, *words)
