@@ -49,7 +49,10 @@ struct StereoCore {
       const PixelTag tag = last.best_tag;
       StereoOutput out;
       HLS_UNROLL
-      for (int p = 0; p < C.pixels_per_clock; ++p) out.disparity[p] = last.best_disparity[p];
+      for (int p = 0; p < C.pixels_per_clock; ++p) {
+         out.disparity[p] = last.best_disparity[p];
+         out.pixel_valid[p] = true;
+      }
       out.valid = tag.valid && tag.output_column;
       out.start_of_frame = out.valid && tag.start_of_frame;
       out.end_of_line = out.valid && tag.end_of_line;

@@ -4,26 +4,30 @@
 #include "stereo_core.hpp"
 
 namespace {
-constexpr int kPixels = stereo::configurations::STEREO_CONFIGURATION.pixels_per_clock;
+constexpr const stereo::StereoConfig& kConfig = stereo::configurations::STEREO_CONFIGURATION;
+constexpr int kPixels = kConfig.pixels_per_clock;
 using Core = stereo::StereoCore<stereo::configurations::STEREO_CONFIGURATION>;
 using Pixels = stereo::uint_of_bits<8 * kPixels>;
+using Disparities = stereo::uint_of_bits<kConfig.disparity_bits() * kPixels>;
 // Static, so that they start with zeros in hardware too.
 Core::ReferenceMemory reference_memory;
 Core::RowMemory left_memory;
 Core::RowMemory right_memory;
 }  // namespace
 
-/// Pixels: bits 8p+7 ... 8p are row p of the group.
+/// Pixels: bits 8p+7 ... 8p are row p of the group. Disparities likewise, with kConfig.disparity_bits(). Bit p of
+/// pixel_valid belongs to row p.
 #pragma HLS interface port = left_pixel mode = none
 #pragma HLS interface port = right_pixel mode = none
 #pragma HLS interface port = start_of_frame mode = none
 #pragma HLS interface port = valid mode = none
 #pragma HLS interface port = disparity mode = none
+#pragma HLS interface port = pixel_valid mode = none
 #pragma HLS interface port = disparity_valid mode = none
 #pragma HLS interface port = disparity_start_of_frame mode = none
 #pragma HLS interface port = disparity_end_of_line mode = none
 extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_pixel, volatile bool* start_of_frame,
-                            volatile bool* valid, volatile Pixels* disparity, volatile bool* disparity_valid,
+                            volatile bool* valid, volatile Disparities* disparity, volatile uint8_t* pixel_valid, volatile bool* disparity_valid,
                             volatile bool* disparity_start_of_frame, volatile bool* disparity_end_of_line) {
    Core core(reference_memory, left_memory, right_memory);
 #pragma nounroll
@@ -36,14 +40,17 @@ extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_
       in.start_of_frame = *start_of_frame;
       in.valid = *valid;
       const stereo::StereoOutput out = core.output();
-      Pixels word = 0;
+      Disparities word = 0;
+      uint8_t pixels_valid = 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          in.left[p] = uint8_t(left >> (8 * p));
          in.right[p] = uint8_t(right >> (8 * p));
-         word |= Pixels(Pixels(out.disparity[p]) << (8 * p));
+         word |= Disparities(Disparities(out.disparity[p]) << (kConfig.disparity_bits() * p));
+         pixels_valid |= uint8_t(uint8_t(out.pixel_valid[p]) << p);
       }
       *disparity = word;
+      *pixel_valid = pixels_valid;
       *disparity_valid = out.valid;
       *disparity_start_of_frame = out.start_of_frame;
       *disparity_end_of_line = out.end_of_line;

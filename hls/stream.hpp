@@ -20,10 +20,11 @@ struct StereoInput {
 
 /// One column of P neighbouring rows of the disparity map, in the same order; W-D columns, H rows.
 struct StereoOutput {
-   uint8_t disparity[kMostPixels] = {};  ///< 0 ... D-1, in pixels
-   bool start_of_frame = false;          ///< this is column 0 of the first rows
-   bool end_of_line = false;             ///< this is the last column of its rows
-   bool valid = false;                   ///< false: no pixel leaves in this clock
+   uint16_t disparity[kMostPixels] = {};  ///< 0 ... D-1, in pixels
+   bool pixel_valid[kMostPixels] = {};    ///< the disparity has passed every check that the configuration has
+   bool start_of_frame = false;           ///< this is column 0 of the first rows
+   bool end_of_line = false;              ///< this is the last column of its rows
+   bool valid = false;                    ///< false: no pixels leave in this clock
 };
 
 /// What a column carries through the pipeline beside its data.

@@ -78,7 +78,7 @@ TYPED_TEST(RasterTest, PassesThePixelsOn) {
       }
       raster.clock(in);
       for (int p = 0; p < C.pixels_per_clock; ++p) ASSERT_EQ(raster.left[p], in.left[p]) << "lane " << p;
-      ASSERT_EQ(raster.right, pixel_word(in.right, C.pixels_per_clock));
+      ASSERT_EQ(raster.right, lane_word<uint8_t>(in.right, C.pixels_per_clock, 8));
    }
 }
 

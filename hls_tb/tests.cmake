@@ -46,6 +46,8 @@ add_rejected_config(three_pixels pixels_per_clock=3 "1, 2 or 4 pixel pairs can e
 add_rejected_config(eight_pixels pixels_per_clock=8 "1, 2 or 4 pixel pairs can enter in a clock")
 add_rejected_config(broken_rows "height_px=238,config.pixels_per_clock=4"
                     "the image height must be a multiple of the pixels per clock")
+add_rejected_config(one_group "height_px=4,config.pixels_per_clock=4"
+                    "the image must be higher than the rows that a window waits for")
 add_rejected_config(small_slice slice_disparities=1 "a slice must hold at least 2 disparities")
 add_rejected_config(no_cost_clock cost_clocks=0 "the cost must take 1, 2 or 3 clocks")
 add_rejected_config(many_cost_clocks cost_clocks=4 "the cost must take 1, 2 or 3 clocks")

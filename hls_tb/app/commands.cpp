@@ -107,6 +107,7 @@ nlohmann::json as_json(const Configuration& entry) {
            {"slice_disparities", config.slice_disparities},
            {"cost_clocks", config.cost_clocks},
            {"winner_group", config.winner_group},
+           {"disparity_bits", config.disparity_bits()},
            {"output_width_px", config.output_width_px()},
            {"output_height_px", config.output_height_px()},
            {"latency_clocks", entry.latency_clocks},
@@ -190,7 +191,7 @@ void vectors(const VectorsArguments& arguments) {
    const ImagePair pair =
        fit_pair(load_pair(arguments.left, arguments.right), config.width_px, config.height_px, arguments.fit);
    const Stimulus stimulus = make_stimulus(configuration.name, config, configuration.latency_clocks, pair, options);
-   const Expected expected{configuration.name, config.pixels_per_clock, configuration.latency_clocks,
+   const Expected expected{configuration.name, config.pixels_per_clock, config.disparity_bits(), configuration.latency_clocks,
                            configuration.run(stimulus.clocks)};
    OutputFolder out(arguments.out);
    out.add("stimulus.txt", text_of(stimulus, write_stimulus));

@@ -254,7 +254,7 @@ def test_vectors_first_lines_and_counts(tmp_path, pair, config, pixels):
     groups = HEIGHT // pixels
     clocks, outputs = WIDTH * groups + WIDTH + 1 + latency + 4, 24 * groups
     assert stimulus[0] == f"stereo-hls stimulus 1 config={config} pixels={pixels} clocks={clocks}"
-    assert expected[0] == f"stereo-hls expected 1 config={config} pixels={pixels} outputs={outputs} latency={latency}"
+    assert expected[0] == f"stereo-hls expected 2 config={config} pixels={pixels} disparity_bits=8 outputs={outputs} latency={latency}"
     assert len(stimulus) == clocks + 1 and len(expected) == outputs + 1
     assert stimulus[1].startswith("3 ") and len(stimulus[1]) == 3 + 4 * pixels
     assert expected[1].split()[1:4] == ["0", "0", "0"] and expected[1].split()[5] == "1"

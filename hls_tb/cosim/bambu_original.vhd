@@ -15,6 +15,7 @@ entity stereo_core is
     start_of_frame : in std_logic;
     valid : in std_logic;
     disparity : out std_logic_vector;
+    pixel_valid : out std_logic_vector;
     disparity_valid : out std_logic;
     disparity_start_of_frame : out std_logic;
     disparity_end_of_line : out std_logic
@@ -24,9 +25,11 @@ end entity;
 architecture original of stereo_core is
   signal running : std_logic := '0';
   signal valid_flag, start_flag, line_flag : std_logic_vector(0 downto 0);
+  signal pixels_valid : std_logic_vector(7 downto 0);
 begin
   running <= '1' when rising_edge(clock);
   disparity_valid <= valid_flag(0);
+  pixel_valid <= pixels_valid(pixel_valid'range);
   disparity_start_of_frame <= start_flag(0);
   disparity_end_of_line <= line_flag(0);
 
@@ -35,6 +38,6 @@ begin
       clock => clock, reset => running, start_port => '1', done_port => open,
       left_pixel => left_pixel, right_pixel => right_pixel,
       start_of_frame(0) => start_of_frame, valid(0) => valid,
-      disparity => disparity, disparity_valid => valid_flag,
+      disparity => disparity, pixel_valid => pixels_valid, disparity_valid => valid_flag,
       disparity_start_of_frame => start_flag, disparity_end_of_line => line_flag);
 end architecture;

@@ -11,20 +11,23 @@ entity tb_stereo_core is
     stimulus_file  : string;
     observed_file  : string;
     pixels         : positive := 1;  -- pixel pairs a clock
+    disparity_bits : positive := 8;  -- of one pixel
     progress_clocks : positive := 1000
   );
 end entity;
 
 architecture sim of tb_stereo_core is
   signal clock, reset, start_of_frame, valid : std_logic := '0';
-  signal left_pixel, right_pixel, disparity : std_logic_vector(8 * pixels - 1 downto 0);
+  signal left_pixel, right_pixel : std_logic_vector(8 * pixels - 1 downto 0);
+  signal disparity : std_logic_vector(disparity_bits * pixels - 1 downto 0);
+  signal pixel_valid : std_logic_vector(pixels - 1 downto 0);
   signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
 begin
   dut : entity work.stereo_core
     port map (
       clock => clock, reset => reset,
       left_pixel => left_pixel, right_pixel => right_pixel, start_of_frame => start_of_frame, valid => valid,
-      disparity => disparity, disparity_valid => disparity_valid,
+      disparity => disparity, pixel_valid => pixel_valid, disparity_valid => disparity_valid,
       disparity_start_of_frame => disparity_start_of_frame, disparity_end_of_line => disparity_end_of_line);
 
   main : process
@@ -50,12 +53,12 @@ begin
         return;
       end if;
       write(observed_line, clock_count);
-      if disparity_valid /= '1' or is_x(disparity) or is_x(disparity_start_of_frame) or is_x(disparity_end_of_line) then
+      if disparity_valid /= '1' or is_x(disparity) or is_x(pixel_valid) or is_x(disparity_start_of_frame) or is_x(disparity_end_of_line) then
         write(observed_line, string'(" X X"));
       else
-        flags := "00" & disparity_end_of_line & disparity_start_of_frame;
         write(observed_line, " " & to_hstring(disparity));
-        write(observed_line, " " & to_string(to_integer(unsigned(flags))));
+        write(observed_line, " " & to_string(to_integer(unsigned(std_logic_vector'(
+          pixel_valid & disparity_end_of_line & disparity_start_of_frame)))));
       end if;
       writeline(observed, observed_line);
     end procedure;

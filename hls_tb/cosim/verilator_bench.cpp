@@ -101,8 +101,8 @@ int main(int argc, char** argv) {
       model.clock = 0;
       model.eval();
       if (model.disparity_valid)
-         std::fprintf(observed, "%ld %x %u\n", clock, unsigned{model.disparity},
-                      model.disparity_start_of_frame | model.disparity_end_of_line << 1);
+         std::fprintf(observed, "%ld %llx %u\n", clock, static_cast<unsigned long long>(model.disparity),
+                      model.disparity_start_of_frame | model.disparity_end_of_line << 1 | model.pixel_valid << 2);
       clock_edge(model, wave, clock);
       if (++clock % kProgressClocks == 0) std::printf("progress %ld\n", clock), std::fflush(stdout);
    }

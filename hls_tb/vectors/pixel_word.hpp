@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels of a record as one number, as the hardware's ports carry them: bits 8p+7 ... 8p are lane p.
+// The lanes of a record as one number, as the hardware's ports carry them: with lanes of 8 bits, bits 8p+7 ... 8p are
+// lane p.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +10,17 @@
 
 namespace stereo {
 
-inline uint32_t pixel_word(std::span<const uint8_t, kMostPixels> lanes, int pixels_per_clock) {
-   uint32_t word = 0;
-   for (int p = 0; p < pixels_per_clock; ++p) word |= uint32_t(lanes[std::size_t(p)]) << (8 * p);
+template <class Lane>
+uint64_t lane_word(std::span<const Lane, kMostPixels> lanes, int lanes_in_use, int lane_bits) {
+   uint64_t word = 0;
+   for (int p = 0; p < lanes_in_use; ++p) word |= uint64_t(lanes[std::size_t(p)]) << (lane_bits * p);
    return word;
 }
 
-inline void set_lanes(std::span<uint8_t, kMostPixels> lanes, uint32_t word) {
-   for (int p = 0; p < kMostPixels; ++p) lanes[std::size_t(p)] = uint8_t(word >> (8 * p));
+template <class Lane>
+void set_lanes(std::span<Lane, kMostPixels> lanes, uint64_t word, int lanes_in_use, int lane_bits) {
+   for (int p = 0; p < kMostPixels; ++p)
+      lanes[std::size_t(p)] = p < lanes_in_use ? Lane(word >> (lane_bits * p) & ((1u << lane_bits) - 1)) : Lane(0);
 }
 
 }  // namespace stereo

@@ -20,14 +20,17 @@ void trace_core(const Stimulus& stimulus, std::ostream& out) {
    const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->left_rows, memories->right_rows);
    out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n'
        << "in_left_pixel in_right_pixel in_start_of_frame in_valid "
-          "out_disparity out_disparity_valid out_disparity_start_of_frame out_disparity_end_of_line";
+          "out_disparity out_pixel_valid out_disparity_valid out_disparity_start_of_frame out_disparity_end_of_line";
    for_each_register(*core, [&out](const std::string& name, int64_t) { out << ' ' << name; });
    out << '\n' << std::hex;
    for (const StereoInput& in : stimulus.clocks) {
       const StereoOutput shown = core->output();
-      const auto word = [](const uint8_t(&lanes)[kMostPixels]) { return pixel_word(lanes, C.pixels_per_clock); };
+      const auto word = [](const uint8_t(&lanes)[kMostPixels]) {
+         return lane_word<uint8_t>(lanes, C.pixels_per_clock, 8);
+      };
       out << word(in.left) << ' ' << word(in.right) << ' ' << in.start_of_frame << ' ' << in.valid << ' '
-          << word(shown.disparity) << ' ' << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
+          << lane_word<uint16_t>(shown.disparity, C.pixels_per_clock, C.disparity_bits()) << ' '
+          << lane_word<bool>(shown.pixel_valid, C.pixels_per_clock, 1) << ' ' << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
       for_each_register(*core, [&out](const std::string&, int64_t value) {
          out << (value < 0 ? " -" : " ") << (value < 0 ? -value : value);
       });

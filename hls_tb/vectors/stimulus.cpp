@@ -97,6 +97,7 @@ CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
                       .y = last_.y,
                       .frame = last_.frame,
                       .disparity = std::to_array(output.disparity),
+                      .pixel_valid = std::to_array(output.pixel_valid),
                       .start_of_frame = output.start_of_frame,
                       .end_of_line = output.end_of_line};
    if (output.start_of_frame) {
@@ -129,7 +130,7 @@ std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, co
                                   " but belongs at x=" + std::to_string(x) + " y=" + std::to_string(y) + " of frame " +
                                   std::to_string(i / frame_size));
       if (place == 0) frames.emplace_back(width, height);
-      for (int p = 0; p < config.pixels_per_clock; ++p) frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
+      for (int p = 0; p < config.pixels_per_clock; ++p) frames.back().at(x, y + p) = uint8_t(output.disparity[std::size_t(p)]);
    }
    return frames;
 }

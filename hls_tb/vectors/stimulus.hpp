@@ -27,8 +27,9 @@ struct CoreOutput {
    uint64_t clock = 0;  ///< 0-based index of the clock() call that returned it
    int x = -1, y = -1;  ///< of lane 0, by start of frame and ends of lines, not by the clock
    int frame = -1;      ///< from 0; -1 before the first start of frame
-   /// [p]: at (x, y + p)
-   std::array<uint8_t, kMostPixels> disparity{};
+   // [p]: at (x, y + p)
+   std::array<uint16_t, kMostPixels> disparity{};
+   std::array<bool, kMostPixels> pixel_valid{};
    bool start_of_frame = false;
    bool end_of_line = false;
 
@@ -38,6 +39,7 @@ struct CoreOutput {
 struct Expected {
    std::string config;
    int pixels_per_clock;
+   int disparity_bits;  ///< of one lane, 8 or 16
    int latency_clocks;
    std::vector<CoreOutput> outputs;
 };

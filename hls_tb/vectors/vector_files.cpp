@@ -66,21 +66,25 @@ class LineReader {
    int number_ = 0;
 };
 
-/// The text of a word of P pixels.
-std::string word_text(std::span<const uint8_t, kMostPixels> lanes, int pixels) {
-   const uint32_t word = pixel_word(lanes, pixels);
+/// The text of a word of P lanes.
+template <class Lane>
+std::string word_text(const Lane& lanes, int pixels, int lane_bits) {
+   using Value = std::remove_cvref_t<decltype(lanes[0])>;
+   const uint64_t word = lane_word<Value>(lanes, pixels, lane_bits);
    std::string text;
-   for (int bit = 8 * pixels - 4; bit >= 0; bit -= 4) text += kHexDigits[word >> bit & 15];
+   for (int bit = lane_bits * pixels - 4; bit >= 0; bit -= 4) text += kHexDigits[word >> bit & 15];
    return text;
 }
 
-/// Sets the lanes; false where the text is not a word of P pixels.
-bool parse_word(std::string_view text, int pixels, std::span<uint8_t, kMostPixels> lanes) {
-   if (text.size() != 2 * std::size_t(pixels) || text.find_first_not_of(kHexDigits) != std::string_view::npos)
+/// Sets the lanes; false where the text is not a word of P lanes.
+template <class Lanes>
+bool parse_word(std::string_view text, int pixels, int lane_bits, Lanes& lanes) {
+   using Value = std::remove_cvref_t<decltype(lanes[0])>;
+   if (text.size() != std::size_t(pixels * lane_bits / 4) || text.find_first_not_of(kHexDigits) != std::string_view::npos)
       return false;
-   uint32_t word = 0;
+   uint64_t word = 0;
    std::from_chars(text.data(), text.data() + text.size(), word, 16);
-   set_lanes(lanes, word);
+   set_lanes<Value>(lanes, word, pixels, lane_bits);
    return true;
 }
 
@@ -91,13 +95,20 @@ int parse_pixels(const LineReader& reader, std::string& rest) {
    return pixels;
 }
 
+int parse_disparity_bits(const LineReader& reader, std::string& rest) {
+   const int bits = reader.number<int>(reader.field("disparity_bits", rest));
+   if (bits != 8 && bits != 16)
+      reader.fail("disparity_bits=" + std::to_string(bits) + " but a disparity takes 8 or 16 bits");
+   return bits;
+}
+
 StereoInput parse_clock(const LineReader& reader, const std::string& line, int pixels) {
    const std::size_t digits = 2 * std::size_t(pixels), right = digits + 3;
    const std::string_view text = line;
    StereoInput in;
    const bool good = text.size() == right + digits && text[0] >= '0' && text[0] <= '3' && text[1] == ' ' &&
-                     text[right - 1] == ' ' && parse_word(text.substr(2, digits), pixels, in.left) &&
-                     parse_word(text.substr(right), pixels, in.right);
+                     text[right - 1] == ' ' && parse_word(text.substr(2, digits), pixels, 8, in.left) &&
+                     parse_word(text.substr(right), pixels, 8, in.right);
    if (!good)
       reader.fail("\"" + line + "\" is not of the form \"F " + std::string(digits, 'L') + " " +
                   std::string(digits, 'R') + "\" with F = 0 ... 3");
@@ -106,7 +117,7 @@ StereoInput parse_clock(const LineReader& reader, const std::string& line, int p
    return in;
 }
 
-CoreOutput parse_output(const LineReader& reader, const std::string& line, int pixels) {
+CoreOutput parse_output(const LineReader& reader, const std::string& line, int pixels, int disparity_bits) {
    std::array<std::string_view, 6> fields;
    std::string_view rest = line;
    for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -117,15 +128,19 @@ CoreOutput parse_output(const LineReader& reader, const std::string& line, int p
       if (blank != std::string_view::npos) rest.remove_prefix(blank + 1);
    }
    const auto flags = reader.number<unsigned>(fields[5]);
-   if (flags > 3) reader.fail("flags are " + std::to_string(flags) + " but must be 0 ... 3");
+   const unsigned most = (4u << pixels) - 1;
+   if (flags > most)
+      reader.fail("flags are " + std::to_string(flags) + " but must be 0 ... " + std::to_string(most));
    CoreOutput output{.clock = reader.number<uint64_t>(fields[0]),
                      .x = reader.number<int>(fields[1]),
                      .y = reader.number<int>(fields[2]),
                      .frame = reader.number<int>(fields[3]),
                      .start_of_frame = (flags & 1) != 0,
                      .end_of_line = (flags & 2) != 0};
-   if (!parse_word(fields[4], pixels, output.disparity))
-      reader.fail("\"" + std::string(fields[4]) + "\" is not a word of " + std::to_string(2 * pixels) + " hex digits");
+   set_lanes<bool>(output.pixel_valid, flags >> 2, pixels, 1);
+   if (!parse_word(fields[4], pixels, disparity_bits, output.disparity))
+      reader.fail("\"" + std::string(fields[4]) + "\" is not a word of " +
+                  std::to_string(pixels * disparity_bits / 4) + " hex digits");
    return output;
 }
 
@@ -142,17 +157,20 @@ void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
    out << "stereo-hls stimulus 1 config=" << stimulus.config << " pixels=" << pixels
        << " clocks=" << stimulus.clocks.size() << '\n';
    for (const StereoInput& in : stimulus.clocks)
-      out << int(in.valid) + 2 * int(in.start_of_frame) << ' ' << word_text(in.left, pixels) << ' '
-          << word_text(in.right, pixels) << '\n';
+      out << int(in.valid) + 2 * int(in.start_of_frame) << ' ' << word_text(in.left, pixels, 8) << ' '
+          << word_text(in.right, pixels, 8) << '\n';
 }
 
 void write_expected(std::ostream& out, const Expected& expected) {
    const int pixels = expected.pixels_per_clock;
-   out << "stereo-hls expected 1 config=" << expected.config << " pixels=" << pixels
+   out << "stereo-hls expected 2 config=" << expected.config << " pixels=" << pixels
+       << " disparity_bits=" << expected.disparity_bits
        << " outputs=" << expected.outputs.size() << " latency=" << expected.latency_clocks << '\n';
    for (const CoreOutput& output : expected.outputs)
       out << output.clock << ' ' << output.x << ' ' << output.y << ' ' << output.frame << ' '
-          << word_text(output.disparity, pixels) << ' ' << int(output.start_of_frame) + 2 * int(output.end_of_line)
+          << word_text(output.disparity, pixels, expected.disparity_bits) << ' '
+          << unsigned(output.start_of_frame) + 2 * unsigned(output.end_of_line) +
+                 4 * lane_word<bool>(output.pixel_valid, pixels, 1)
           << '\n';
 }
 
@@ -173,15 +191,15 @@ Stimulus read_stimulus(std::istream& in, const std::string& name) {
 
 Expected read_expected(std::istream& in, const std::string& name) {
    LineReader reader(in, name);
-   std::string rest = reader.header("stereo-hls expected 1");
+   std::string rest = reader.header("stereo-hls expected 2");
    const std::string config = reader.field("config", rest);
-   Expected expected{config, parse_pixels(reader, rest), 0, {}};
+   Expected expected{config, parse_pixels(reader, rest), parse_disparity_bits(reader, rest), 0, {}};
    const auto count = reader.number<std::size_t>(reader.field("outputs", rest));
    expected.latency_clocks = reader.number<int>(reader.field("latency", rest));
    if (!rest.empty()) reader.fail("the first line goes on after latency=: \"" + rest + "\"");
    for (std::size_t i = 0; i < count; ++i) {
       const std::string& line = reader.next("output " + std::to_string(i) + " of " + std::to_string(count));
-      expected.outputs.push_back(parse_output(reader, line, expected.pixels_per_clock));
+      expected.outputs.push_back(parse_output(reader, line, expected.pixels_per_clock, expected.disparity_bits));
    }
    reader.end();
    return expected;

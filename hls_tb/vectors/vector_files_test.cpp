@@ -14,11 +14,11 @@ namespace {
 
 const std::string kStimulus = "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 0a ff\n0 00 10\n1 7f 80\n";
 const std::string kExpected =
-    "stereo-hls expected 1 config=tiny pixels=1 outputs=2 latency=10\n50 0 0 0 ff 1\n51 1 0 0 07 2\n";
+    "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=2 latency=10\n50 0 0 0 ff 1\n51 1 0 0 07 6\n";
 const std::string kStimulusOfFour =
     "stereo-hls stimulus 1 config=tiny_p4 pixels=4 clocks=2\n3 0d0c0b0a ff000180\n0 00000000 12345678\n";
 const std::string kExpectedOfTwo =
-    "stereo-hls expected 1 config=tiny_p2 pixels=2 outputs=2 latency=10\n50 0 2 0 ff01 1\n51 1 2 0 0700 2\n";
+    "stereo-hls expected 2 config=tiny_p2 pixels=2 disparity_bits=16 outputs=2 latency=10\n50 0 2 0 0fff0001 1\n51 1 2 0 07000000 10\n";
 
 Stimulus stimulus_of(const std::string& text) {
    std::istringstream in(text);
@@ -52,7 +52,8 @@ TEST(VectorFiles, TheLastLaneComesFirstInTheText) {
    EXPECT_EQ(expected.pixels_per_clock, 2);
    ASSERT_EQ(expected.outputs.size(), 2u);
    EXPECT_EQ(expected.outputs[0].y, 2);
-   EXPECT_EQ(expected.outputs[0].disparity, (std::array<uint8_t, 4>{0x01, 0xff, 0, 0}));
+   EXPECT_EQ(expected.outputs[0].disparity, (std::array<uint16_t, 4>{0x001, 0xfff, 0, 0}));
+   EXPECT_EQ(expected.outputs[1].pixel_valid, (std::array<bool, 4>{false, true, false, false}));
 }
 
 TEST(VectorFiles, ReadsExpectedOutputs) {
@@ -63,7 +64,7 @@ TEST(VectorFiles, ReadsExpectedOutputs) {
    ASSERT_EQ(expected.outputs.size(), 2u);
    const CoreOutput first{.clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = {255}, .start_of_frame = true};
    EXPECT_EQ(expected.outputs[0], first);
-   const CoreOutput second{.clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = {7}, .end_of_line = true};
+   const CoreOutput second{.clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = {7}, .pixel_valid = {true}, .end_of_line = true};
    EXPECT_EQ(expected.outputs[1], second);
 }
 
@@ -147,9 +148,9 @@ TEST(VectorFiles, RefusesDamagedExpectedOutputs) {
        {{"empty", "", "expected.txt:1: the file ends"},
         {"other format", kStimulus, "expected.txt:1: the first line must begin with"},
         {"no latency", replaced(kExpected, " latency=10", ""), "expected.txt:1: "},
-        {"count too large", replaced(kExpected, "=2", "=3"), "expected.txt:4: the file ends where output 2 of 3"},
-        {"count too small", replaced(kExpected, "=2", "=1"), "expected.txt:3: more lines"},
-        {"negative count", replaced(kExpected, "=2", "=-2"), "expected.txt:1: "},
+        {"count too large", replaced(kExpected, "outputs=2", "outputs=3"), "expected.txt:4: the file ends where output 2 of 3"},
+        {"count too small", replaced(kExpected, "outputs=2", "outputs=1"), "expected.txt:3: more lines"},
+        {"negative count", replaced(kExpected, "outputs=2", "outputs=-2"), "expected.txt:1: "},
         {"a number less", replaced(kExpected, "50 0", "50"), "expected.txt:2: "},
         {"a number more", replaced(kExpected, "50 0", "50 0 0"), "expected.txt:2: "},
         {"no pixels", replaced(kExpected, " pixels=1", ""), "expected.txt:1: "},
@@ -157,9 +158,10 @@ TEST(VectorFiles, RefusesDamagedExpectedOutputs) {
          "expected.txt:2: \"100\" is not a word of 2 hex"},
         {"disparity of one digit", replaced(kExpected, "07", "7"), "expected.txt:3: \"7\" is not a word of 2 hex"},
         {"more digits than pixels", replaced(kExpectedOfTwo, "pixels=2", "pixels=1"),
-         "expected.txt:2: \"ff01\" is not"},
+         "expected.txt:2: \"0fff0001\" is not"},
         {"upper-case digits", replaced(kExpected, "ff", "FF"), "expected.txt:2: \"FF\" is not a word of 2 hex"},
-        {"flags beyond 3", replaced(kExpected, "07 2", "07 4"), "expected.txt:3: flags are 4"},
+        {"flags beyond 7", replaced(kExpected, "07 6", "07 8"), "expected.txt:3: flags are 8 but must be 0 ... 7"},
+        {"disparities of 12 bits", replaced(kExpected, "bits=8", "bits=12"), "expected.txt:1: disparity_bits=12"},
         {"a letter", replaced(kExpected, "51", "5a"), "expected.txt:3: \"5a\" is not a number"}},
        expected_of);
 }

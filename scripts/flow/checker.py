@@ -13,28 +13,28 @@ class Mismatch:
 
     expected: Optional[Expected]
     got: Optional[Observed]
+    disparity_bits: int = 8  # of one row in the port word
 
     def __str__(self):
         if self.expected is None:
             return f"clock {self.got.clock}: surplus output, disparity {self.got.disparity} flags {self.got.flags}"
         e = self.expected
         row = self._first_wrong_row()
-        where = f"clock {e.clock}, frame {e.frame}, x {e.x}, y {e.y + row}: expected disparity {_row(e.disparity, row)} flags {e.flags}"
+        where = f"clock {e.clock}, frame {e.frame}, x {e.x}, y {e.y + row}: expected disparity {self._row(e.disparity, row)} flags {e.flags}"
         if self.got is None:
             return f"{where}, got nothing"
-        return f"{where}, got disparity {_row(self.got.disparity, row)} flags {self.got.flags} at clock {self.got.clock}"
+        return f"{where}, got disparity {self._row(self.got.disparity, row)} flags {self.got.flags} at clock {self.got.clock}"
 
     def _first_wrong_row(self):
         """The uppermost row of the group that differs; the upper one when the difference is elsewhere."""
         if self.got is None or self.got.disparity == "X" or self.got.disparity == self.expected.disparity:
             return 0
         difference = self.got.disparity ^ self.expected.disparity
-        return ((difference & -difference).bit_length() - 1) // 8
+        return ((difference & -difference).bit_length() - 1) // self.disparity_bits
 
-
-def _row(word, row):
-    """One row's disparity of a port word."""
-    return word if word == "X" else word >> (8 * row) & 0xFF
+    def _row(self, word, row):
+        """One row's disparity of a port word."""
+        return word if word == "X" else word >> (self.disparity_bits * row) & ((1 << self.disparity_bits) - 1)
 
 
 @dataclass(frozen=True)
@@ -50,15 +50,15 @@ class Verdict:
         return self.expected > 0 and self.compared == self.expected and self.mismatches == 0
 
 
-def compare(expected, observed):
+def compare(expected, observed, disparity_bits=8):
     """Every output in order: disparity, flags and the very clock must agree."""
     wrong = [
-        Mismatch(e, o)
+        Mismatch(e, o, disparity_bits)
         for e, o in zip(expected, observed)
         if (e.clock, e.disparity, e.flags) != (o.clock, o.disparity, o.flags)
     ]
-    wrong += [Mismatch(e, None) for e in expected[len(observed) :]]
-    wrong += [Mismatch(None, o) for o in observed[len(expected) :]]
+    wrong += [Mismatch(e, None, disparity_bits) for e in expected[len(observed) :]]
+    wrong += [Mismatch(None, o, disparity_bits) for o in observed[len(expected) :]]
     return Verdict(len(expected), min(len(expected), len(observed)), len(wrong), wrong[0] if wrong else None)
 
 

@@ -67,7 +67,7 @@ def run_job(job):
     expected, _ = vectors.read_expected(expected_path)
 
     build_folder = ROOT / "build" / "cosim" / "simulators" / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
-    simulator = SIMULATORS[job.simulator](files, build_folder, parameters["pixels_per_clock"], trace=job.wave is not None)
+    simulator = SIMULATORS[job.simulator](files, build_folder, parameters["pixels_per_clock"], parameters["disparity_bits"], trace=job.wave is not None)
     started = time.monotonic()
     print(f"{job.config}: building the {job.simulator} simulation ...", flush=True)
     simulator.build()
@@ -82,7 +82,7 @@ def run_job(job):
     if clocks != len(stimulus):
         raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", 4)
 
-    verdict = checker.compare(expected, observed)
+    verdict = checker.compare(expected, observed, parameters["disparity_bits"])
     timing = checker.measure(stimulus, observed, parameters)
     report = make_report(job, verdict, timing, len(stimulus), seconds, build_seconds)
     if job.wave is not None:

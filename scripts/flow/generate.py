@@ -48,7 +48,7 @@ def generate(config, say=print, out=None):
     netlist, named = netlist_of(config, parameters, design, tool_run.vhdl.parent)
     files = {
         "line_memory.vhd": (ROOT / "hls" / "rtl" / "line_memory.vhd").read_text(),
-        "stereo_core.vhd": VhdlWriter(netlist, header(config, parameters, tool_run)).write(),
+        "stereo_core.vhd": VhdlWriter(netlist, header(config, parameters, tool_run), parameters["disparity_bits"]).write(),
     }
     report = dict(tool_run.report, loop_states=len(state_sequence(design)[1]), registers=len(netlist.registers), registers_named=named,
                   register_bits=sum(r.value.width for r in netlist.registers),

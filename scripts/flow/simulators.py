@@ -19,8 +19,9 @@ class Simulator:
     name = ""
     wave_suffixes = ()
 
-    def __init__(self, vhdl_files, work_directory, pixels=1, trace=False):
+    def __init__(self, vhdl_files, work_directory, pixels=1, disparity_bits=8, trace=False):
         self.pixels = pixels  # pairs a clock
+        self.disparity_bits = disparity_bits  # of one pixel
         self.vhdl_files = [Path(path) for path in vhdl_files]
         self.work = Path(work_directory)
         self.trace = trace
@@ -77,7 +78,8 @@ class Ghdl(Simulator):
         run([ghdl, "-e", GHDL_STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
 
     def _command(self, stimulus, observed, wave, wave_clocks):
-        command = [find_ghdl(), "-r", GHDL_STANDARD, "tb_stereo_core", f"-gpixels={self.pixels}", f"-gstimulus_file={stimulus}", f"-gobserved_file={observed}"]
+        command = [find_ghdl(), "-r", GHDL_STANDARD, "tb_stereo_core", f"-gpixels={self.pixels}", f"-gdisparity_bits={self.disparity_bits}",
+                   f"-gstimulus_file={stimulus}", f"-gobserved_file={observed}"]
         if wave is not None:
             # GHDL always dumps from the start; the end is bounded by the stop time (10 ns a clock, 2 clocks of reset).
             option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]

@@ -3,7 +3,7 @@
 
 stimulus.txt   stereo-hls stimulus 1 config=NAME pixels=P clocks=N
                then N lines "F LEFT RIGHT", hexadecimal, one a clock; F bit 0 valid, bit 1 start of frame
-expected.txt   stereo-hls expected 1 config=NAME pixels=P outputs=N latency=CLOCKS
+expected.txt   stereo-hls expected 2 config=NAME pixels=P disparity_bits=8|16 outputs=N latency=CLOCKS
                then N lines "clock x y frame DISPARITY flags", one for each valid output of the C++ core
 observed.txt   "clock DISPARITY flags" for each valid output of the simulated VHDL, then "end CLOCKS";
                "clock X X" where an output was neither 0 nor 1
@@ -17,6 +17,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .errors import EXIT_TOOL_FAILED, FlowError
+
+
+FORMATS = {"stimulus": 1, "expected": 2}
 
 
 @dataclass(frozen=True)
@@ -44,16 +47,16 @@ def _read_lines(path):
 
 
 def _read_header(path, lines, kind, count_key):
-    match = re.fullmatch(rf"stereo-hls {kind} 1 ((?:\w+=\S+ ?)+)", lines[0]) if lines else None
+    match = re.fullmatch(rf"stereo-hls {kind} {FORMATS[kind]} ((?:\w+=\S+ ?)+)", lines[0]) if lines else None
     if not match:
-        raise FlowError(f"{path}, line 1: not a '{kind}' vector file of format 1")
+        raise FlowError(f"{path}, line 1: not a '{kind}' vector file of format {FORMATS[kind]}")
     header = dict(item.split("=", 1) for item in match.group(1).split())
     for key in ("pixels", count_key):
         if not header.get(key, "").isdigit():
             raise FlowError(f"{path}, line 1: no number {key}=")
     if len(lines) - 1 != int(header[count_key]):
         raise FlowError(f"{path}: the first line promises {header[count_key]} lines, but {len(lines) - 1} follow")
-    return header, 2 * int(header["pixels"])
+    return header, 2 * int(header["pixels"])  # digits of a word of pixels
 
 
 def read_stimulus(path):
@@ -71,6 +74,9 @@ def read_expected(path):
     """(expected outputs, latency of the C++ core in clocks)"""
     lines = _read_lines(path)
     header, digits = _read_header(path, lines, "expected", "outputs")
+    if header.get("disparity_bits") not in ("8", "16"):
+        raise FlowError(f"{path}, line 1: disparity_bits= must be 8 or 16")
+    digits = digits * int(header["disparity_bits"]) // 8
     pattern = re.compile(rf"(\d+) (\d+) (\d+) (\d+) ([0-9a-f]{{{digits}}}) (\d+)")
     outputs = []
     for number, line in enumerate(lines[1:], 2):

@@ -6,7 +6,7 @@ from flow import vectors
 from flow.errors import FlowError
 
 STIMULUS = "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
-EXPECTED = "stereo-hls expected 1 config=tiny pixels=1 outputs=2 latency=10\n50 0 0 0 03 1\n51 1 0 0 1f 0\n"
+EXPECTED = "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=2 latency=10\n50 0 0 0 03 1\n51 1 0 0 1f 0\n"
 
 
 def written(tmp_path, text):

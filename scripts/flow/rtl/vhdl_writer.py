@@ -9,6 +9,7 @@ from .expressions import Writer, is_wide, type_of, without_outer_parentheses
 from .netlist import Register, bit_not, walk
 
 LINE = 120
+WORDS = ("disparity", "pixel_valid")  # outputs of a lane for each row; they count only where disparity_valid is 1
 PORTS = """\
     clock : in std_logic;
     reset : in std_logic;  -- synchronous, active high
@@ -16,7 +17,8 @@ PORTS = """\
     right_pixel : in std_logic_vector({high} downto 0);
     start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
-    disparity : out std_logic_vector({high} downto 0);
+    disparity : out std_logic_vector({disparity_high} downto 0);
+    pixel_valid : out std_logic_vector({rows} downto 0);  -- a bit a row: the disparity has passed every check
     disparity_valid : out std_logic;
     disparity_start_of_frame : out std_logic;
     disparity_end_of_line : out std_logic"""
@@ -93,7 +95,7 @@ def control_registers(netlist):
 
     The others hold pixels and costs, which no flag announces before new ones have replaced them.
     """
-    roots = [node for name, node in netlist.outputs.items() if name != "disparity"]
+    roots = [node for name, node in netlist.outputs.items() if name not in WORDS]
     roots += [m.read_address for m in netlist.memories] + [m.write_address for m in netlist.memories]
     roots += [c for c in (split_hold(r)[0] for r in netlist.registers) if c is not None]
     by_value = {id(r.value): r for r in netlist.registers}
@@ -106,9 +108,11 @@ def control_registers(netlist):
 
 
 class VhdlWriter:
-    def __init__(self, netlist, header):
+    def __init__(self, netlist, header, disparity_bits=8):
+        """`disparity_bits`: of each row in the output word."""
         self.netlist, self.header = netlist, header
-        self.pixel_bits = max([8, *(node.width for node in netlist.inputs.values())])
+        self.pixels = max([8, *(node.width for node in netlist.inputs.values())]) // 8
+        self.output_bits = {"disparity": disparity_bits * self.pixels, "pixel_valid": self.pixels}
         self.names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
         self.reads = {id(m): memory_read_register(netlist, m) for m in netlist.memories}
         for register, _ in self.reads.values():
@@ -124,7 +128,7 @@ class VhdlWriter:
     def write(self):
         process = self._process()  # first: it finds the variables
         parts = [self.header, "library ieee;", "use ieee.std_logic_1164.all;", "use ieee.numeric_std.all;", "",
-                 "entity stereo_core is", "  port (", PORTS.format(high=self.pixel_bits - 1), "  );", "end entity;", "", "architecture rtl of stereo_core is",
+                 "entity stereo_core is", "  port (", PORTS.format(high=8 * self.pixels - 1, disparity_high=self.output_bits["disparity"] - 1, rows=self.pixels - 1), "  );", "end entity;", "", "architecture rtl of stereo_core is",
                  HELPERS, self._declarations(), "begin", self._ports(), self._memories(), process, "end architecture;"]
         return "\n".join(parts) + "\n"
 
@@ -159,10 +163,10 @@ class VhdlWriter:
             value = f"{name} = '1'" if node.is_bit else f"unsigned({name})" if is_wide(node) else f"to_integer(unsigned({name}))"
             lines.append(f"  in_{name} <= {value};")
         for name, node in self.netlist.outputs.items():
-            if node.is_bit and name != "disparity":
-                lines.append(f"  {name} <= as_bit({without_outer_parentheses(self.text.condition(node))});")
+            if name in WORDS:
+                lines.append(f"  {name} <= std_logic_vector({self.text.word(node, self.output_bits[name])});")
             else:
-                lines.append(f"  {name} <= std_logic_vector({self.text.word(node, self.pixel_bits)});")
+                lines.append(f"  {name} <= as_bit({without_outer_parentheses(self.text.condition(node))});")
         return "\n".join(lines) + "\n"
 
     def _memories(self):
