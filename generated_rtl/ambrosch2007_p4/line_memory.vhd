@@ -25,10 +25,11 @@ entity line_memory is
 end entity;
 
 architecture rtl of line_memory is
-  -- Columns of up to 16 bits of whole numbers: integers start at 0 by themselves, and a memory without initial values is
-  -- what some synthesisers need for block RAM.
-  constant column_bits : positive := 16;
-  constant columns : positive := (width + column_bits - 1) / column_bits;
+  -- Columns of whole numbers: integers start at 0 by themselves, and a memory without initial values is what some
+  -- synthesisers need for block RAM. As few columns as integers allow, all equally wide: a block RAM holds 32 or 36 bits
+  -- side by side.
+  constant columns : positive := (width + 29) / 30;
+  constant column_bits : positive := (width + columns - 1) / columns;
 
   function least(a, b : natural) return natural is
   begin

@@ -16,6 +16,7 @@ entity stereo_core is
     start_of_frame : in std_logic;  -- with column 0 of the first rows
     valid : in std_logic;  -- 0: bubble
     disparity : out std_logic_vector(31 downto 0);
+    pixel_valid : out std_logic_vector(3 downto 0);  -- a bit a row: the disparity has passed every check
     disparity_valid : out std_logic;
     disparity_start_of_frame : out std_logic;
     disparity_end_of_line : out std_logic
@@ -1902,6 +1903,7 @@ begin
   in_left_pixel <= unsigned(left_pixel);
   in_right_pixel <= unsigned(right_pixel);
   disparity <= std_logic_vector(to_unsigned(slice3best_disparity_3, 8) & to_unsigned(slice3best_disparity_2, 8) & to_unsigned(slice3best_disparity_1, 8) & to_unsigned(slice3best_disparity_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(15, 4));
   disparity_valid <= as_bit(slice3best_tag_valid and slice3best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice3best_tag_start_of_frame and slice3best_tag_valid and slice3best_tag_output_column);
   disparity_end_of_line <= as_bit(slice3best_tag_end_of_line and slice3best_tag_valid and slice3best_tag_output_column);
