@@ -5,36 +5,44 @@
 
 namespace stereo {
 
-/// Holds the left pixels that the right pixels of one column are compared with, for `Count` neighbouring disparities.
-/// 1 clock. Registers: taps x (Count + 2) x 8 bits.
+/// Holds the searched pixels that the reference pixels of one column are compared with, for `Count` neighbouring
+/// disparities. 1 clock. Registers: taps x (Count + 2) x feature bits.
 ///
-/// Shifts are chained: the next one, for the disparities below these, takes `left_out`, `right` and `tag` one clock
-/// later. So no pixel has to reach more than `Count` subtractors in one clock.
+/// Shifts are chained: the next one takes `search_out`, `reference` and `tag` one clock later. So no pixel has to reach
+/// more than `Count` costs in one clock. The newest pixel stands at the highest disparity where the reference is the
+/// right image, at the lowest where it is the left one.
 template <const StereoConfig& C, int Count>
 struct DisparityShift {
    static constexpr int kTaps = C.tap_rows();
+   static constexpr bool kFalls = C.reference == Reference::right;  ///< pixels move to lower disparities
+   static constexpr int kNewest = kFalls ? Count - 1 : 0;
+   static constexpr int kOldest = Count - 1 - kNewest;
 
-   uint8_t left[kTaps][Count];  ///< [t][i]: L(x + first + i) of tap t, first = the lowest disparity here
-   uint8_t right[kTaps];        ///< [t]: R(x)
-   uint8_t left_out[kTaps];     ///< [t]: the left pixel that has just left
+   Feature<C> search[kTaps][Count];  ///< [t][i]: of tap t for the lowest disparity here plus i
+   Feature<C> reference[kTaps];      ///< [t]
+   Feature<C> search_out[kTaps];     ///< [t]: the searched pixel that has just left
    PixelTag tag;
 
    HLS_INLINE DisparityShift() {
       HLS_UNROLL
-      for (int t = 0; t < kTaps; ++t) fill<uint8_t>(left[t], 0);
-      fill<uint8_t>(right, 0);
-      fill<uint8_t>(left_out, 0);
+      for (int t = 0; t < kTaps; ++t) fill<Feature<C>>(search[t], 0);
+      fill<Feature<C>>(reference, 0);
+      fill<Feature<C>>(search_out, 0);
    }
 
-   HLS_INLINE void clock(const uint8_t (&left_in)[kTaps], const uint8_t (&right_in)[kTaps], const PixelTag& tag_in) {
+   HLS_INLINE void clock(const Feature<C> (&search_in)[kTaps], const Feature<C> (&reference_in)[kTaps],
+                         const PixelTag& tag_in) {
       const bool move = tag_in.valid;
       HLS_UNROLL
       for (int t = 0; t < kTaps; ++t) {
-         left_out[t] = left[t][0];
+         search_out[t] = search[t][kOldest];
          HLS_UNROLL
-         for (int i = 0; i < Count - 1; ++i) left[t][i] = select<uint8_t>(move, left[t][i + 1], left[t][i]);
-         left[t][Count - 1] = select<uint8_t>(move, left_in[t], left[t][Count - 1]);
-         right[t] = right_in[t];
+         for (int step = 0; step < Count - 1; ++step) {
+            const int to = kFalls ? step : Count - 1 - step, from = kFalls ? to + 1 : to - 1;
+            search[t][to] = select<Feature<C>>(move, search[t][from], search[t][to]);
+         }
+         search[t][kNewest] = select<Feature<C>>(move, search_in[t], search[t][kNewest]);
+         reference[t] = reference_in[t];
       }
       tag = tag_in;
    }

@@ -39,6 +39,13 @@ using uint_of_bits = std::conditional_t<
     (Bits <= 8), uint8_t,
     std::conditional_t<(Bits <= 16), uint16_t, std::conditional_t<(Bits <= 32), uint32_t, uint64_t>>>;
 
+/// Bits that hold 0 ... largest.
+constexpr int bits_for(int64_t largest) {
+   int bits = 1;
+   while (largest >> bits != 0) ++bits;
+   return bits;
+}
+
 /// Tells the tool that `value` is never above `Largest`, which it cannot see in a counter that wraps by comparison: the
 /// register then has just the bits that it needs. Costs nothing.
 template <int Largest>

@@ -5,11 +5,17 @@
 
 namespace stereo {
 
+/// Sum of the costs of one column of a window, and of a window.
+template <const StereoConfig& C>
+using ColumnCost = uint_of_bits<bits_for(C.largest_column_cost())>;
+template <const StereoConfig& C>
+using WindowCost = uint_of_bits<bits_for(C.largest_window_cost())>;
+
 /// Sums the absolute differences of a column of B pixels, for P windows one below the other and `Count` disparities.
 /// C.cost_clocks clocks.
 ///
-/// Three steps: differences; sums of neighbouring taps (1,2), (3,4), ...; column sums. Every window holds (B-1)/2 whole
-/// pairs and one single tap above or below them, so the windows share the pairs: 3 additions for 2 columns of 3 pixels
+/// Three steps: differences; sums of neighbouring taps (1,2), (3,4), ...; column sums. Every window holds whole pairs and
+/// at most a single tap above and below them, so the windows share the pairs: 3 additions for 2 columns of 3 pixels
 /// instead of 4.
 ///
 /// |a - b| is d = a - b where d is not negative and its complement plus 1 where it is. The plus 1 costs nothing where
@@ -17,19 +23,19 @@ namespace stereo {
 /// subtracted both ways instead.
 template <const StereoConfig& C, int Count>
 struct SadCost {
+   static constexpr int kClocks = C.cost_clocks;
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kTaps = C.tap_rows();
    static constexpr int kPairs = (kTaps - 1) / 2;
-   static constexpr int kRadius = C.radius_px();
 
-   int16_t difference[kTaps][Count];  ///< L(x+d) - R(x), -255 ... 255
-   uint8_t reverse[kPairs][Count];    ///< R(x) - L(x+d) of the second tap of a pair, where that is not negative
+   int16_t difference[kTaps][Count];  ///< search - reference, -255 ... 255
+   uint8_t reverse[kPairs + 1][Count];    ///< reference - search of the second tap of a pair, where that is not negative
    PixelTag difference_tag;
-   uint16_t pair[kPairs][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, 0 ... 510
+   uint16_t pair[kPairs + 1][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, 0 ... 510
    uint8_t single[kTaps][Count];  ///< |d|, less 1 where the difference is negative; only of the taps that stand alone
    bool negative[kTaps][Count];
    PixelTag pair_tag;
-   uint16_t column[kPixels][Count];  ///< column costs, 0 ... 255*B; 0 outside the cost columns 0 ... W-D
+   ColumnCost<C> column[kPixels][Count];  ///< 0 in the border columns
    PixelTag tag;
 
    HLS_INLINE SadCost() {
@@ -40,16 +46,17 @@ struct SadCost {
          fill(negative[t], false);
       }
       HLS_UNROLL
-      for (int j = 0; j < kPairs; ++j) {
+      for (int j = 0; j <= kPairs; ++j) {
          fill<uint8_t>(reverse[j], 0);
          fill<uint16_t>(pair[j], 0);
       }
       HLS_UNROLL
-      for (int p = 0; p < kPixels; ++p) fill<uint16_t>(column[p], 0);
+      for (int p = 0; p < kPixels; ++p) fill<ColumnCost<C>>(column[p], 0);
    }
 
    /// Steps in reverse order have registers between them; steps in order share a clock.
-   HLS_INLINE void clock(const DisparityShift<C, Count>& shift) {
+   template <class Shift>
+   HLS_INLINE void clock(const Shift& shift) {
       if constexpr (C.cost_clocks == 3) {
          add_columns();
          add_pairs();
@@ -66,13 +73,15 @@ struct SadCost {
    }
 
   private:
-   HLS_INLINE void subtract(const DisparityShift<C, Count>& shift) {
+   template <class Shift>
+   HLS_INLINE void subtract(const Shift& shift) {
       HLS_UNROLL
       for (int i = 0; i < Count; ++i) {
          HLS_UNROLL
-         for (int t = 0; t < kTaps; ++t) difference[t][i] = int16_t(shift.left[t][i] - shift.right[t]);
+         for (int t = 0; t < kTaps; ++t) difference[t][i] = int16_t(shift.search[t][i] - shift.reference[t]);
          HLS_UNROLL
-         for (int j = 0; j < kPairs; ++j) reverse[j][i] = uint8_t(shift.right[2 * j + 2] - shift.left[2 * j + 2][i]);
+         for (int j = 0; j < kPairs; ++j)
+            reverse[j][i] = uint8_t(shift.reference[2 * j + 2] - shift.search[2 * j + 2][i]);
       }
       difference_tag = shift.tag;
    }
@@ -98,18 +107,23 @@ struct SadCost {
       pair_tag = difference_tag;
    }
 
-   /// Window p covers the taps p ... p+2r. Even p: tap p, then whole pairs; odd p: whole pairs, then tap p+2r.
+   /// Window p covers the taps p ... p+B-1. From an even p: tap p, whole pairs, and of an even window a last single tap;
+   /// from an odd p: whole pairs, and of an odd window a last single tap.
    HLS_INLINE void add_columns() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const int alone = p % 2 == 0 ? p : p + 2 * kRadius;
-         const int first_pair = p / 2;
+         const int pairs = p % 2 == 0 ? (C.window_px - 1) / 2 : C.window_px / 2;
          HLS_UNROLL
          for (int i = 0; i < Count; ++i) {
-            uint16_t sum = uint16_t(pair[first_pair][i] + single[alone][i] + uint16_t(negative[alone][i]));
+            uint16_t sum = 0;
             HLS_UNROLL
-            for (int j = 1; j < kRadius; ++j) sum = uint16_t(sum + pair[first_pair + j][i]);
-            column[p][i] = select<uint16_t>(pair_tag.border_column, 0, sum);
+            for (int j = 0; j < pairs; ++j) sum = uint16_t(sum + pair[p / 2 + j][i]);
+            if (p % 2 == 0) sum = uint16_t(sum + single[p][i] + uint16_t(negative[p][i]));
+            if ((p + C.window_px) % 2 == 0) {
+               const int last = p + C.window_px - 1;
+               sum = uint16_t(sum + single[last][i] + uint16_t(negative[last][i]));
+            }
+            column[p][i] = select<ColumnCost<C>>(pair_tag.border_column, 0, ColumnCost<C>(sum));
          }
       }
       tag = pair_tag;

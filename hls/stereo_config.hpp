@@ -85,10 +85,45 @@ struct StereoConfig {
    // delay_groups later.
    constexpr int row_groups() const { return height_px / pixels_per_clock; }
    constexpr int delay_groups() const { return (rows_below() + pixels_per_clock - 1) / pixels_per_clock; }
-   /// Rows that the windows of one group cover.
-   constexpr int tap_rows() const { return pixels_per_clock + window_px - 1; }
-   /// Those of them that line memories must keep; the others have just come in.
-   constexpr int stored_rows() const { return delay_groups() * pixels_per_clock + rows_above(); }
+   /// Rows from the highest that the windows of one group need. Recursive sums need the row that leaves the windows.
+   constexpr int top_row() const { return -rows_above() - (aggregation == Aggregation::recursive ? 1 : 0); }
+   /// Rows that line memories must keep; the rows after them have just come in.
+   constexpr int stored_rows() const { return delay_groups() * pixels_per_clock - top_row(); }
+   /// Rows whose pixels are compared. Direct: all that the windows cover. Recursive: P that leave and P that enter.
+   constexpr int tap_rows() const {
+      return aggregation == Aggregation::recursive ? 2 * pixels_per_clock : pixels_per_clock + window_px - 1;
+   }
+   /// Row of tap t, counted from top_row().
+   constexpr int tap_row(int t) const {
+      return aggregation == Aggregation::recursive && t >= pixels_per_clock ? window_px + t - pixels_per_clock : t;
+   }
+
+   /// Bits of what is compared: of a grey value, a filtered pixel or a census transform.
+   constexpr int feature_bits() const {
+      return cost == Cost::census ? census_width_px * census_height_px - 1 : prefilter == Prefilter::xsobel ? 7 : 8;
+   }
+   constexpr bool has_transform() const { return cost == Cost::census || prefilter != Prefilter::none; }
+   // Rows and columns on each side of a pixel that its transform needs, and groups of rows that it waits for.
+   constexpr int transform_rows() const { return cost == Cost::census ? census_height_px / 2 : 1; }
+   constexpr int transform_columns() const { return cost == Cost::census ? census_width_px / 2 : 1; }
+   constexpr int transform_groups() const { return (transform_rows() + pixels_per_clock - 1) / pixels_per_clock; }
+
+   /// Valid groups of pixels, from the first of a frame on, that bring out its first disparities: the last of them does.
+   constexpr int groups_to_first_output() const {
+      const int transform = has_transform() ? transform_groups() * width_px + transform_columns() : 0;
+      const int check = has_left_right_check() ? disparities - 1 : 0;
+      const int smoothing = median ? width_px + 1 : 0;
+      const int first_column = first_cost_column() + (reference == Reference::left ? 1 : 0);
+      return transform + delay_groups() * width_px + first_column + columns_after() + check + smoothing + 1;
+   }
+   /// Valid groups without start of frame that bring out the last disparities of a frame.
+   constexpr int flush_groups() const {
+      return groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1 -
+             row_groups() * width_px;
+   }
+   /// Whole rows of groups that must stand between two frames. Recursive sums of a frame's last rows and of the next one's
+   /// first rows would need the same memory at once.
+   constexpr int gap_groups() const { return aggregation == Aggregation::recursive ? delay_groups() * width_px : 0; }
 
   private:
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
@@ -110,7 +145,7 @@ struct CheckedConfig {
    static_assert(C.disparities >= 2 && C.disparities <= 256, "the disparity range must be 2 ... 256");
    static_assert(C.width_px > C.disparities, "the image must be wider than the disparity range");
    static_assert(C.cost_columns() >= 2, "the disparity range lies outside the image");
-   static_assert(C.first_cost_column() >= C.columns_after(), "the disparity range must exceed the window's radius");
+   static_assert(C.first_cost_column() >= C.window_px / 2, "the disparity range must exceed the window's radius");
    static_assert(C.pixels_per_clock == 1 || C.pixels_per_clock == 2 || C.pixels_per_clock == 4,
                  "1, 2 or 4 pixel pairs can enter in a clock");
    static_assert(C.height_px % C.pixels_per_clock == 0, "the image height must be a multiple of the pixels per clock");

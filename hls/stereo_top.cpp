@@ -9,10 +9,17 @@ constexpr int kPixels = kConfig.pixels_per_clock;
 using Core = stereo::StereoCore<stereo::configurations::STEREO_CONFIGURATION>;
 using Pixels = stereo::uint_of_bits<8 * kPixels>;
 using Disparities = stereo::uint_of_bits<kConfig.disparity_bits() * kPixels>;
+
 // Static, so that they start with zeros in hardware too.
-Core::ReferenceMemory reference_memory;
-Core::RowMemory left_memory;
-Core::RowMemory right_memory;
+template <class Word, int Depth, int Number>
+Word memory_words[Depth];
+
+struct Memories {
+   template <class Word, int Depth, int Number>
+   HLS_INLINE Word (&words())[Depth] {
+      return memory_words<Word, Depth, Number>;
+   }
+};
 }  // namespace
 
 /// Pixels: bits 8p+7 ... 8p are row p of the group. Disparities likewise, with kConfig.disparity_bits(). Bit p of
@@ -29,7 +36,8 @@ Core::RowMemory right_memory;
 extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_pixel, volatile bool* start_of_frame,
                             volatile bool* valid, volatile Disparities* disparity, volatile uint8_t* pixel_valid, volatile bool* disparity_valid,
                             volatile bool* disparity_start_of_frame, volatile bool* disparity_end_of_line) {
-   Core core(reference_memory, left_memory, right_memory);
+   Memories memories;
+   Core core(memories);
 #pragma nounroll
    while (true) {
       // Volatile accesses keep their order, and a read after a write or after the core's memory accesses costs a state:

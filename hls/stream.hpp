@@ -30,10 +30,16 @@ struct StereoOutput {
 /// What a column carries through the pipeline beside its data.
 struct PixelTag {
    bool valid = false;           ///< pixel pairs, not a bubble: blocks with history move only then
-   bool border_column = false;   ///< no cost column 0 ... W-D is complete: its costs count 0
-   bool output_column = false;   ///< the cost column is the centre of an output pixel: 0 ... W-D-1, in an output row
-   bool start_of_frame = false;  ///< the output column 0 of the first rows
-   bool end_of_line = false;     ///< the output column W-D-1
+   bool row_start = false;       ///< column 0 of the image that is ahead
+   bool first_group = false;     ///< the first rows of a frame come in
+   bool border_column = false;   ///< no cost column is complete: its costs count 0
+   bool first_cost = false;      ///< the first cost column of a row
+   bool leaves_window = false;   ///< a cost column of the same row leaves the window that this column enters
+   bool map_column = false;      ///< the cost column is the centre of a column of the map
+   bool output_column = false;   ///< and the row is one of the map: an output
+   bool first_column = false;    ///< column 0 of the map
+   bool start_of_frame = false;  ///< column 0 of the first rows
+   bool end_of_line = false;     ///< the last column of the map
 };
 
 }  // namespace stereo

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hls_support.hpp"
-#include "stream.hpp"
+#include "candidate.hpp"
 
 namespace stereo {
 
@@ -11,55 +10,50 @@ constexpr int winner_levels(int candidates, int group) {
    return candidates <= 1 ? 0 : 1 + winner_levels((candidates + group - 1) / group, group);
 }
 
-/// Winner-take-all tree: the smallest of N costs and the smallest index that has it, for `Pixels` windows. One clock a
-/// level; each level reduces groups of `Group` candidates to one. Levels that a small tree does not need only delay, so
-/// that trees of different sizes keep step.
-template <int Pixels, int N, int Group, int Levels>
+/// Winner-take-all tree over N candidates, each the best of `Span` neighbouring disparities. One clock a
+/// level; each level reduces groups of C.winner_group candidates to one. Levels that a small tree does not need only
+/// delay, so that trees of different sizes keep step.
+template <const StereoConfig& C, int N, int Levels, int Span = 1>
 struct WinnerTree {
-   static_assert(Group >= 2, "a level compares at least two candidates");
-   static_assert(Levels >= winner_levels(N, Group), "the tree needs more levels");
-   static constexpr int kWinners = (N + Group - 1) / Group;
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kGroup = C.winner_group;
+   static_assert(Levels >= winner_levels(N, kGroup), "the tree needs more levels");
+   static constexpr int kWinners = (N + kGroup - 1) / kGroup;
 
-   uint16_t cost[Pixels][kWinners];
-   uint8_t index[Pixels][kWinners];
+   Candidates<C, kWinners> best;
    PixelTag tag;
-   WinnerTree<Pixels, kWinners, Group, Levels - 1> next;
+   WinnerTree<C, kWinners, Levels - 1, Span * kGroup> next;
 
-   HLS_INLINE WinnerTree() {
+   /// First level: the candidates are single costs, their indices are their places.
+   HLS_INLINE void clock(const WindowCost<C> (&cost)[kPixels][N], PixelTag in) {
+      next.clock(best, tag);
       HLS_UNROLL
-      for (int p = 0; p < Pixels; ++p) {
-         fill<uint16_t>(cost[p], 0);
-         fill<uint8_t>(index[p], 0);
-      }
-   }
-
-   /// First level: the candidates' indices are their places.
-   HLS_INLINE void clock(const uint16_t (&candidate)[Pixels][N], PixelTag in) {
-      uint8_t place[Pixels][N];
-      HLS_UNROLL
-      for (int p = 0; p < Pixels; ++p) {
-         HLS_UNROLL
-         for (int i = 0; i < N; ++i) place[p][i] = uint8_t(i);
-      }
-      clock(candidate, place, in);
-   }
-
-   HLS_INLINE void clock(const uint16_t (&candidate)[Pixels][N], const uint8_t (&place)[Pixels][N], PixelTag in) {
-      next.clock(cost, index, tag);
-      HLS_UNROLL
-      for (int p = 0; p < Pixels; ++p) {
+      for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL
          for (int group = 0; group < kWinners; ++group) {
-            uint16_t best = candidate[p][group * Group];
-            uint8_t winner = place[p][group * Group];
+            const int start = group * kGroup;
+            Candidate<C> winner = Candidate<C>::single(cost[p][start], uint8_t(start));
             HLS_UNROLL
-            for (int i = group * Group + 1; i < (group + 1) * Group && i < N; ++i) {
-               const bool smaller = candidate[p][i] < best;  // strictly: the smaller index wins a tie
-               best = select<uint16_t>(smaller, candidate[p][i], best);
-               winner = select<uint8_t>(smaller, place[p][i], winner);
-            }
-            cost[p][group] = best;
-            index[p][group] = winner;
+            for (int i = start + 1; i < start + kGroup && i < N; ++i)
+               winner = Candidate<C>::joined(winner, i - 1, Candidate<C>::single(cost[p][i], uint8_t(i)), i);
+            best.set(p, group, winner);
+         }
+      }
+      tag = in;
+   }
+
+   HLS_INLINE void clock(const Candidates<C, N>& candidates, PixelTag in) {
+      next.clock(best, tag);
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         HLS_UNROLL
+         for (int group = 0; group < kWinners; ++group) {
+            const int start = group * kGroup;
+            Candidate<C> winner = candidates.get(p, start);
+            HLS_UNROLL
+            for (int i = start + 1; i < start + kGroup && i < N; ++i)
+               winner = Candidate<C>::joined(winner, i * Span - 1, candidates.get(p, i), i * Span);
+            best.set(p, group, winner);
          }
       }
       tag = in;
@@ -73,10 +67,10 @@ struct WinnerTree {
 };
 
 /// Below the last level there is nothing left to compare.
-template <int Pixels, int N, int Group>
-struct WinnerTree<Pixels, N, Group, 0> {
+template <const StereoConfig& C, int N, int Span>
+struct WinnerTree<C, N, 0, Span> {
    static_assert(N == 1, "one winner is left");
-   HLS_INLINE void clock(const uint16_t (&)[Pixels][1], const uint8_t (&)[Pixels][1], PixelTag) {}
+   HLS_INLINE void clock(const Candidates<C, 1>&, PixelTag) {}
 };
 
 }  // namespace stereo

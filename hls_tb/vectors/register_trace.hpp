@@ -5,6 +5,7 @@
 #include <ostream>
 #include <string>
 
+#include "vectors/heap_memories.hpp"
 #include "vectors/pixel_word.hpp"
 #include "vectors/register_names.hpp"
 #include "vectors/stimulus.hpp"
@@ -16,8 +17,8 @@ namespace stereo {
 /// -1f for -31. Pixel ports are words as in the vector files.
 template <const StereoConfig& C>
 void trace_core(const Stimulus& stimulus, std::ostream& out) {
-   const auto memories = std::make_unique<StereoMemories<C>>();
-   const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->left_rows, memories->right_rows);
+   HeapMemories memories;
+   const auto core = std::make_unique<StereoCore<C>>(memories);
    out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n'
        << "in_left_pixel in_right_pixel in_start_of_frame in_valid "
           "out_disparity out_pixel_valid out_disparity_valid out_disparity_start_of_frame out_disparity_end_of_line";

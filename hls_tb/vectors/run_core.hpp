@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "stereo_core.hpp"
+#include "vectors/heap_memories.hpp"
 #include "vectors/stimulus.hpp"
 
 namespace stereo {
@@ -12,8 +13,8 @@ namespace stereo {
 /// each clock and sees all registers.
 template <const StereoConfig& C, class Observer>
 std::vector<CoreOutput> run_core(const std::vector<StereoInput>& clocks, Observer observe) {
-   const auto memories = std::make_unique<StereoMemories<C>>();
-   const auto core = std::make_unique<StereoCore<C>>(memories->reference, memories->left_rows, memories->right_rows);
+   HeapMemories memories;
+   const auto core = std::make_unique<StereoCore<C>>(memories);
    std::vector<CoreOutput> outputs;
    OutputLocator locator(C.pixels_per_clock);
    for (uint64_t clock = 0; clock < clocks.size(); ++clock) {

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "refinement.hpp"
+
+namespace stereo {
+
+/// Compares each winner with that of the other image's pixel that it points at. 4 clocks; winners come out D-1 columns later,
+/// when that pixel has met all disparities. Memory: D x P winners, and P x the next power of two above D+3 x 8 bits for
+/// those of the other image.
+template <const StereoConfig& C>
+struct LeftRightCheck {
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kClocks = 4;
+   using Slices = DisparitySlice<C, C.disparities>;
+   /// Clocks by which the other image's winners are ahead.
+   static constexpr int kAhead = Slices::kLevels + Refinement<C>::kClocks;
+   static constexpr int kDelay = C.disparities - 1;
+   static constexpr int kPlaces = C.disparities;
+   static constexpr int kOtherPlaces = 1 << bits_for(C.disparities + 3);
+   static constexpr int kFractionBits = C.subpixel ? 5 : 0;
+   static constexpr int kLaneBits = 9 + kFractionBits;
+   static constexpr int kTagBits = 4;
+   using Word = uint_of_bits<kPixels * kLaneBits + kTagBits>;
+
+   uint8_t other[kAhead][kPixels];  ///< [age][p]
+   MemoryBank<Word, kPlaces, 1> ring;  // as in PairDelay
+   uint16_t read_address = 1, write_address = 0;
+   MemoryBank<uint8_t, kOtherPlaces, kPixels> others;
+   uint16_t position = 0;  ///< where the other image's winner of this clock is kept
+   // clock 1
+   Word held[1];
+   uint16_t held_position = 0;
+   bool held_valid = false;
+   // clock 2
+   uint16_t address[kPixels];
+   Word asking = 0;
+   bool asking_valid = false;
+   // clock 3
+   uint8_t found[kPixels];
+   Word answered = 0;
+   bool answered_valid = false;
+   // clock 4
+   Winners<C> checked;
+
+   template <class Source>
+   HLS_INLINE explicit LeftRightCheck(Source& memories)
+       : ring(memories, MemoryId<memory_numbers::kWinners>()),
+         others(memories, MemoryId<memory_numbers::kOtherWinners>()) {
+      HLS_UNROLL
+      for (int age = 0; age < kAhead; ++age) fill<uint8_t>(other[age], 0);
+      fill<Word>(held, 0);
+      fill<uint16_t>(address, 0);
+      fill<uint8_t>(found, 0);
+   }
+
+   template <class Slice>
+   HLS_INLINE void clock(const Winners<C>& in, const Slice& last) {
+      compare();
+      others.read_each(address, found);
+      answered = asking;
+      answered_valid = asking_valid;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const uint16_t d = disparity(held[0], p);
+         const uint16_t place = C.reference == Reference::right ? uint16_t(held_position - kDelay + d)
+                                                                : uint16_t(held_position - d);
+         address[p] = at_most<kOtherPlaces - 1>(place);
+      }
+      asking = held[0];
+      asking_valid = held_valid;
+
+      uint8_t newest[kPixels];
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) newest[p] = other[kAhead - 1][p];
+      others.write(position, newest);
+      ring.read(read_address, held);
+      const Word words[1] = {packed(in)};
+      ring.write(write_address, words);
+      held_position = position;
+      held_valid = in.tag.valid;
+      const bool move = in.tag.valid;
+      position = at_most<kOtherPlaces - 1>(select<uint16_t>(move, uint16_t(position + 1), position));
+      write_address = select<uint16_t>(move, read_address, write_address);
+      const uint16_t read_after = select<uint16_t>(read_address == kPlaces - 1, 0, read_address + 1);
+      read_address = at_most<kPlaces - 1>(select<uint16_t>(move, read_after, read_address));
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         HLS_UNROLL
+         for (int age = kAhead - 1; age > 0; --age) other[age][p] = other[age - 1][p];
+         other[0][p] = last.other.winner[p][last.other.kOldest];
+      }
+   }
+
+  private:
+   static HLS_INLINE Word packed(const Winners<C>& in) {
+      Word word = Word(Word(in.tag.map_column) | Word(in.tag.output_column) << 1 | Word(in.tag.start_of_frame) << 2 |
+                       Word(in.tag.end_of_line) << 3);
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         Word lane = Word(Word(in.disparity[p]) | Word(in.passed[p]) << 8);
+         if constexpr (C.subpixel) lane |= Word(Word(in.fraction[p]) << 9);
+         word |= Word(lane << (kTagBits + kLaneBits * p));
+      }
+      return word;
+   }
+   static HLS_INLINE uint8_t disparity(Word word, int p) { return uint8_t(word >> (kTagBits + kLaneBits * p)); }
+
+   HLS_INLINE void compare() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const Word lane = Word(answered >> (kTagBits + kLaneBits * p));
+         const uint8_t d = uint8_t(lane);
+         const int16_t difference = int16_t(d - found[p]);
+         const bool consistent =
+             difference <= C.left_right_threshold && difference >= -C.left_right_threshold;
+         checked.disparity[p] = d;
+         checked.passed[p] = (lane >> 8 & 1) != 0 && consistent;
+         if constexpr (C.subpixel) checked.fraction[p] = uint8_t(lane >> 9 & 31);
+      }
+      checked.tag.valid = answered_valid;
+      checked.tag.map_column = (answered & 1) != 0;
+      checked.tag.output_column = (answered >> 1 & 1) != 0;
+      checked.tag.start_of_frame = (answered >> 2 & 1) != 0;
+      checked.tag.end_of_line = (answered >> 3 & 1) != 0;
+   }
+};
+
+}  // namespace stereo

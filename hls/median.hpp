@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "left_right_check.hpp"
+
+namespace stereo {
+
+/// One group of the disparity map.
+template <const StereoConfig& C>
+struct MapGroup {
+   uint16_t disparity[C.pixels_per_clock];
+   bool passed[C.pixels_per_clock];
+   bool valid = false;
+   bool start_of_frame = false;
+   bool end_of_line = false;
+
+   HLS_INLINE MapGroup() {
+      fill<uint16_t>(disparity, 0);
+      fill(passed, false);
+   }
+};
+
+/// The group that winners make without a median.
+template <const StereoConfig& C>
+HLS_INLINE MapGroup<C> map_group(const Winners<C>& in) {
+   MapGroup<C> out;
+   HLS_UNROLL
+   for (int p = 0; p < C.pixels_per_clock; ++p) {
+      out.disparity[p] = C.subpixel ? uint16_t(16 * in.disparity[p] + in.fraction[p] - 8) : in.disparity[p];
+      out.passed[p] = in.passed[p];
+   }
+   out.valid = in.tag.valid && in.tag.output_column;
+   out.start_of_frame = out.valid && in.tag.start_of_frame;
+   out.end_of_line = out.valid && in.tag.end_of_line;
+   return out;
+}
+
+/// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 7 clocks; pixels come out a
+/// row of groups and a column later. Memory: map width x (P+1) x (disparity bits + 1).
+template <const StereoConfig& C>
+struct Median {
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kClocks = 7;
+   static constexpr int kWidth = C.output_width_px();
+   static constexpr int kGroups = C.row_groups();
+   static constexpr int kValueBits = C.subpixel ? 12 : 8;
+   static constexpr int kRows = kPixels + 2;
+   using Counter = RasterCounter<kWidth, kGroups, 1, true>;
+   using Rows = RowBuffer<kValueBits + 1, kPixels, kPixels + 1, kWidth, memory_numbers::kMap>;
+   using Lane = typename Rows::Lane;
+
+   /// What travels beside a column. The column behind a line's last one only brings out the last median.
+   struct Place {
+      uint16_t column = 0;
+      bool arrives = false;   ///< a column of the map
+      bool behind = false;    ///< the column behind a line
+      bool top = false, bottom = false;  ///< the row above, below the group is outside the map
+      bool output = false;    ///< the group above this one is in the map
+   };
+
+   // clock 1
+   Counter counter;
+   Lane newest[kPixels];
+   bool arrives = false, behind = false, line_ended = false;
+   // clocks 2 and 3
+   Rows rows;
+   Place read, ready;
+   uint16_t write_column = 0;
+   // clock 4: the three values above each other, for each row of the group, sorted when they become `sorted`
+   Lane column[kRows];
+   Place at;
+   // clock 5
+   uint16_t low[3][kPixels], middle[3][kPixels], high[3][kPixels];  ///< [age][p]
+   bool passed[2][kPixels];
+   Place sorted;
+   bool complete = false, first = false, last = false;
+   // clock 6
+   uint16_t largest_low[kPixels], median_middle[kPixels], smallest_high[kPixels];
+   MapGroup<C> waiting;
+   // clock 7
+   MapGroup<C> out;
+
+   template <class Source>
+   HLS_INLINE explicit Median(Source& memories) : rows(memories) {
+      fill<Lane>(newest, 0);
+      fill<Lane>(column, 0);
+      HLS_UNROLL
+      for (int age = 0; age < 3; ++age) {
+         fill<uint16_t>(low[age], 0);
+         fill<uint16_t>(middle[age], 0);
+         fill<uint16_t>(high[age], 0);
+      }
+      HLS_UNROLL
+      for (int age = 0; age < 2; ++age) fill(passed[age], false);
+      fill<uint16_t>(largest_low, 0);
+      fill<uint16_t>(median_middle, 0);
+      fill<uint16_t>(smallest_high, 0);
+   }
+
+   HLS_INLINE void clock(const Winners<C>& in) {
+      finish();
+      combine();
+      sort_column();
+      HLS_UNROLL
+      for (int row = 0; row < kRows; ++row) column[row] = rows.row(row);
+      at = ready;
+      rows.clock(newest, counter.column, ready.arrives, write_column);
+      write_column = select<uint16_t>(ready.arrives, ready.column, write_column);
+      ready = read;
+      read.column = counter.column;
+      read.arrives = arrives;
+      read.behind = behind;
+      read.top = counter.group == 1;
+      read.bottom = counter.group == kGroups;
+      read.output = counter.group >= 1 && counter.group <= kGroups;
+      take(in);
+   }
+
+  private:
+   HLS_INLINE void take(const Winners<C>& in) {
+      const MapGroup<C> group = map_group<C>(in);
+      const bool comes = in.tag.valid && in.tag.map_column;
+      counter.clock(comes, in.tag.start_of_frame);
+      arrives = comes;
+      behind = in.tag.valid && line_ended;
+      line_ended = select<bool>(in.tag.valid, in.tag.map_column && in.tag.end_of_line, line_ended);
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p)
+         newest[p] = Lane(Lane(group.disparity[p]) << 1 | Lane(group.passed[p]));
+   }
+
+   /// A new column goes in, or the one behind the line, which repeats the last; column 0 also is its own left neighbour.
+   HLS_INLINE void sort_column() {
+      const bool move = at.arrives || at.behind;
+      const bool starts = at.column == 0;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const uint16_t centre = uint16_t(column[p + 1] >> 1);
+         const uint16_t above = p == 0 ? select<uint16_t>(at.top, centre, uint16_t(column[p] >> 1))
+                                       : uint16_t(column[p] >> 1);
+         const uint16_t below = p == kPixels - 1 ? select<uint16_t>(at.bottom, centre, uint16_t(column[p + 2] >> 1))
+                                                 : uint16_t(column[p + 2] >> 1);
+         const uint16_t a = smaller(above, centre), b = larger(above, centre);
+         push(low, p, smaller(a, below), move, starts);
+         push(middle, p, larger(a, smaller(b, below)), move, starts);
+         push(high, p, larger(b, below), move, starts);
+         passed[1][p] = select<bool>(move, passed[0][p], passed[1][p]);
+         passed[0][p] = select<bool>(at.arrives, (column[p + 1] & 1) != 0, passed[0][p]);
+      }
+      complete = at.output && ((at.arrives && !starts) || at.behind);
+      first = at.top && at.arrives && at.column == (kWidth > 1 ? 1 : 0);
+      last = at.behind;
+   }
+
+   HLS_INLINE void push(uint16_t (&values)[3][kPixels], int p, uint16_t value, bool move, bool starts) {
+      const uint16_t next = select<uint16_t>(at.behind, values[0][p], value);
+      values[2][p] = select<uint16_t>(move, values[1][p], values[2][p]);
+      values[1][p] = select<uint16_t>(move, select<uint16_t>(starts && at.arrives, next, values[0][p]), values[1][p]);
+      values[0][p] = select<uint16_t>(move, next, values[0][p]);
+   }
+
+   HLS_INLINE void combine() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         largest_low[p] = larger(larger(low[0][p], low[1][p]), low[2][p]);
+         median_middle[p] = median(middle[0][p], middle[1][p], middle[2][p]);
+         smallest_high[p] = smaller(smaller(high[0][p], high[1][p]), high[2][p]);
+         waiting.passed[p] = passed[1][p];
+      }
+      waiting.valid = complete;
+      waiting.start_of_frame = complete && first;
+      waiting.end_of_line = complete && last;
+   }
+
+   HLS_INLINE void finish() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         out.disparity[p] = median(largest_low[p], median_middle[p], smallest_high[p]);
+         out.passed[p] = waiting.passed[p];
+      }
+      out.valid = waiting.valid;
+      out.start_of_frame = waiting.start_of_frame;
+      out.end_of_line = waiting.end_of_line;
+   }
+
+   static HLS_INLINE uint16_t smaller(uint16_t a, uint16_t b) { return select<uint16_t>(b < a, b, a); }
+   static HLS_INLINE uint16_t larger(uint16_t a, uint16_t b) { return select<uint16_t>(b < a, a, b); }
+   static HLS_INLINE uint16_t median(uint16_t a, uint16_t b, uint16_t c) {
+      return larger(smaller(a, b), smaller(larger(a, b), c));
+   }
+};
+
+}  // namespace stereo

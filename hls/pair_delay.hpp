@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "memory_bank.hpp"
+#include "packed.hpp"
+#include "raster.hpp"
+
+namespace stereo {
+
+/// Holds one of the images back, so that a pixel of the reference meets those that it is compared with, and derives from
+/// the place what the later blocks must know. 1 clock. Memory: (delay + 1) x feature bits x P.
+template <const StereoConfig& C>
+struct PairDelay {
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kTaps = C.tap_rows();
+   static constexpr int kDelay = C.reference_delay() + C.search_delay();  ///< one of them is 0
+   static constexpr int kPlaces = kDelay + 1;
+   static constexpr bool kDelaysReference = C.reference_delay() > 0;
+   using Pack = Packed<C.feature_bits(), kPixels>;
+   using Word = typename Pack::Word;
+
+   /// A ring. Reads the oldest word while the newest is written one place behind it: both addresses are registers, and
+   /// a bubble rewrites a place that the next pixels overwrite, so that the memory needs no enable.
+   MemoryBank<Word, kPlaces, (kDelay > 0 ? Pack::kWords : 0)> ring;
+   uint16_t read_address = kPlaces > 1 ? 1 : 0;
+   uint16_t write_address = 0;
+
+   Feature<C> ahead[kPixels];    ///< of the image that is not held back
+   Word delayed[Pack::kWords];   ///< of the other one
+   uint16_t column = 0;          ///< of `ahead`
+   bool row_inside[kTaps];       ///< [t]: tap t is a row of the frame whose windows are summed
+   PixelTag tag;
+
+   template <class Source>
+   HLS_INLINE explicit PairDelay(Source& memories) : ring(memories, MemoryId<memory_numbers::kDelay>()) {
+      fill<Feature<C>>(ahead, 0);
+      fill<Word>(delayed, 0);
+      fill(row_inside, false);
+   }
+
+   HLS_INLINE Feature<C> search(int p) const { return kDelaysReference ? ahead[p] : Pack::lane(delayed, p); }
+   HLS_INLINE Feature<C> reference(int p) const { return kDelaysReference ? Pack::lane(delayed, p) : ahead[p]; }
+
+   HLS_INLINE void clock(const Raster<C>& raster) {
+      const auto& in = raster.features;
+      if constexpr (kDelay > 0) {
+         Word newest[Pack::kWords];
+         Pack::pack(kDelaysReference ? in.reference : in.search, newest);
+         ring.read(read_address, delayed);
+         ring.write(write_address, newest);
+         write_address = select<uint16_t>(in.valid, read_address, write_address);
+         const uint16_t read_after = select<uint16_t>(read_address == kPlaces - 1, 0, read_address + 1);
+         read_address = at_most<kPlaces - 1>(select<uint16_t>(in.valid, read_after, read_address));
+      } else {
+         Pack::pack(in.search, delayed);
+      }
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) ahead[p] = kDelaysReference ? in.search[p] : in.reference[p];
+      column = raster.place.column;
+      HLS_UNROLL
+      for (int t = 0; t < kTaps; ++t)
+         row_inside[t] = raster.place.group >= first_group(t) && raster.place.group <= last_group(t);
+      tag_place(raster);
+   }
+
+   /// First and last group of a frame in which tap t shows an image row: 0 ... H-1.
+   static constexpr int first_group(int t) {
+      const int missing = C.stored_rows() - C.tap_row(t);
+      return missing <= 0 ? 0 : (missing + kPixels - 1) / kPixels;
+   }
+   static constexpr int last_group(int t) { return (C.height_px - 1 + C.stored_rows() - C.tap_row(t)) / kPixels; }
+
+  private:
+   static constexpr int kFirstCost = C.first_cost_column();
+   /// The map leaves out the last cost column of the right, the first of the left reference.
+   static constexpr int kFirstMap = kFirstCost + (C.reference == Reference::left ? 1 : 0);
+   static constexpr int kLastMap = kFirstMap + C.output_width_px() - 1;
+
+   HLS_INLINE void tag_place(const Raster<C>& raster) {
+      const uint16_t column_now = raster.place.column, group = raster.place.group;
+      const bool output_group = group >= C.delay_groups() && group < decltype(raster.place)::kIdle;
+      tag.valid = raster.features.valid;
+      tag.row_start = column_now == 0;
+      tag.first_group = group == 0;
+      tag.border_column = column_now < kFirstCost;
+      tag.first_cost = column_now == kFirstCost;
+      tag.leaves_window = column_now >= kFirstCost + C.window_px ||
+                          (column_now < C.columns_after() && int(column_now) + C.width_px - C.window_px >= kFirstCost);
+      tag.map_column = column_now >= kFirstMap && column_now <= kLastMap;
+      tag.output_column = output_group && tag.map_column;
+      tag.first_column = column_now == kFirstMap;
+      tag.start_of_frame = group == C.delay_groups() && column_now == kFirstMap;
+      tag.end_of_line = column_now == kLastMap;
+   }
+};
+
+}  // namespace stereo
