@@ -6,14 +6,15 @@
 #include "support/seed.hpp"
 #include "support/test_configs.hpp"
 #include "support/test_pairs.hpp"
+#include "vectors/matching_parameters.hpp"
 #include "vectors/run_core.hpp"
 
 namespace stereo::test {
 namespace {
 
 template <const StereoConfig& C>
-GrayImage reference(const ImagePair& pair) {
-   return match_reference(pair.left, pair.right, {C.disparities, C.window_px});
+DisparityMap reference(const ImagePair& pair) {
+   return match_reference(pair.left, pair.right, matching_parameters(C));
 }
 
 /// Random pairs of few grey values, so that ties are frequent.

@@ -11,6 +11,7 @@
 #include "support/seed.hpp"
 #include "support/test_configs.hpp"
 #include "support/test_pairs.hpp"
+#include "vectors/matching_parameters.hpp"
 #include "vectors/run_core.hpp"
 
 namespace stereo::test {
@@ -76,7 +77,7 @@ struct StageRecorder<C, 0> {
 
 template <const StereoConfig& C>
 void expect_exact(const ImagePair& pair, int stall_percent) {
-   const CostVolume costs = pixel_costs(pair.left, pair.right, {C.disparities, C.window_px});
+   const CostVolume costs = pixel_costs(pair.left, pair.right, matching_parameters(C));
    const CostVolume expected_sums = window_sums(costs, C.window_px);
 
    StageRecorder<C, C.disparities> stages;
@@ -149,7 +150,7 @@ TEST(StereoCore, FindsAKnownShift) {
                              shifted_pair(kAwkward.width_px, kAwkward.height_px, disparity, test_seed()), 0)),
                          kAwkward);
       ASSERT_EQ(maps.size(), 1u);
-      EXPECT_TRUE(same_map(GrayImage(kAwkward.output_width_px(), kAwkward.height_px, uint8_t(disparity)), maps[0]));
+      EXPECT_TRUE(same_map(DisparityMap(kAwkward.output_width_px(), kAwkward.height_px, uint16_t(disparity)), maps[0]));
    }
 }
 
@@ -176,7 +177,7 @@ TEST(StereoCore, EqualsTheReferenceOnARealPair) {
 
    // The truth, four times the disparity and 0 where unknown: most pixels must be right within one.
    const GrayImage truth = app::load_gray(folder / "disp_right_x4.pgm");
-   const GrayImage map = match_reference(pair.left, pair.right, {kTeddy.disparities, kTeddy.window_px});
+   const DisparityMap map = match_reference(pair.left, pair.right, matching_parameters(kTeddy));
    int known = 0, good = 0;
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {

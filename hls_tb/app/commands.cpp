@@ -14,6 +14,7 @@
 #include "app/output_folder.hpp"
 #include "app/overview.hpp"
 #include "models/fast_model.hpp"
+#include "vectors/matching_parameters.hpp"
 #include "vectors/vector_files.hpp"
 
 namespace stereo::app {
@@ -63,10 +64,10 @@ TruthScore score(const MatchArguments& arguments, const ImagePair& pair, const G
    return result;
 }
 
-GrayImage match_clocked(const ImagePair& pair, const Configuration& configuration) {
+DisparityMap match_clocked(const ImagePair& pair, const Configuration& configuration) {
    const Stimulus stimulus =
        make_stimulus(configuration.name, configuration.config, configuration.latency_clocks, pair);
-   const std::vector<GrayImage> frames = collect_frames(configuration.run(stimulus.clocks), configuration.config);
+   const std::vector<DisparityMap> frames = collect_frames(configuration.run(stimulus.clocks), configuration.config);
    if (frames.size() != 1)
       throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
    return frames.front();
@@ -130,9 +131,12 @@ void match(const MatchArguments& arguments) {
    const ImagePair pair = load_pair_to_match(arguments, configuration);
    const bool fast = arguments.engine == Engine::fast;
    const auto start = std::chrono::steady_clock::now();
-   const GrayImage map = fast ? match_fast(pair.left, pair.right, {config.disparities, config.window_px})
-                              : match_clocked(pair, configuration);
+   const DisparityMap matched =
+       fast ? match_fast(pair.left, pair.right, matching_parameters(config)) : match_clocked(pair, configuration);
    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+   GrayImage map(matched.width, matched.height);
+   std::transform(matched.disparity.begin(), matched.disparity.end(), map.pixels.begin(),
+                  [](uint16_t value) { return uint8_t(value); });
 
    nlohmann::json facts{
        {"format", "stereo-hls match 1"}, {"config", configuration.name},  {"engine", fast ? "fast" : "clocked"},
@@ -191,8 +195,8 @@ void vectors(const VectorsArguments& arguments) {
    const ImagePair pair =
        fit_pair(load_pair(arguments.left, arguments.right), config.width_px, config.height_px, arguments.fit);
    const Stimulus stimulus = make_stimulus(configuration.name, config, configuration.latency_clocks, pair, options);
-   const Expected expected{configuration.name, config.pixels_per_clock, config.disparity_bits(), configuration.latency_clocks,
-                           configuration.run(stimulus.clocks)};
+   const Expected expected{configuration.name, config.pixels_per_clock, config.disparity_bits(),
+                           configuration.latency_clocks, configuration.run(stimulus.clocks)};
    OutputFolder out(arguments.out);
    out.add("stimulus.txt", text_of(stimulus, write_stimulus));
    out.add("expected.txt", text_of(expected, write_expected));

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "models/reference_model.hpp"
+
 // One build that uses AVX2 where the machine has it. Sanitizers cannot run the resolvers this needs.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__)
 #define STEREO_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
@@ -152,10 +154,17 @@ Match* matcher_for(int window_px, const GrayImage& map) {
 
 }  // namespace
 
-GrayImage match_fast(const GrayImage& left, const GrayImage& right, MatchingParameters parameters) {
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const MatchingParameters& parameters) {
    check_matching_input(left, right, parameters);
-   GrayImage map(left.width - parameters.disparities, left.height);
-   matcher_for(parameters.window_px, map)(PaddedImage(left), PaddedImage(right), parameters, map);
+   const bool plain = parameters.window_px % 2 == 1 && parameters.min_disparity == 0 &&
+                      parameters.reference == Reference::right && parameters.cost == Cost::sad &&
+                      parameters.prefilter == Prefilter::none && parameters.ties == Ties::smallest &&
+                      !parameters.has_check() && !parameters.subpixel && !parameters.median;
+   if (!plain) return match_reference(left, right, parameters);
+   GrayImage winners(left.width - parameters.disparities, left.height);
+   matcher_for(parameters.window_px, winners)(PaddedImage(left), PaddedImage(right), parameters, winners);
+   DisparityMap map(winners.width, winners.height);
+   std::copy(winners.pixels.begin(), winners.pixels.end(), map.disparity.begin());
    return map;
 }
 

@@ -1,59 +1,222 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/reference_model.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdlib>
 
-namespace stereo {
+#include "models/mirror.hpp"
 
-CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, MatchingParameters parameters) {
+namespace stereo {
+namespace {
+
+bool inside(const GrayImage& image, int x, int y) { return x >= 0 && x < image.width && y >= 0 && y < image.height; }
+
+/// S of one pixel, for all d.
+int smallest_sum(const CostVolume& sums, int x, int y) {
+   int smallest = sums.at(x, y, 0);
+   for (int d = 1; d < sums.disparities; ++d) smallest = std::min(smallest, sums.at(x, y, d));
+   return smallest;
+}
+
+}  // namespace
+
+GrayImage prefiltered(const GrayImage& image, int cap) {
+   const auto slope = [&](int x, int y) {
+      if (y < 0) y = std::min(1, image.height - 1);
+      if (y >= image.height) y = std::max(image.height - 2, 0);
+      return int(image.at(x + 1, y)) - int(image.at(x - 1, y));
+   };
+   GrayImage filtered(image.width, image.height, uint8_t(cap));
+   for (int y = 0; y < image.height; ++y)
+      for (int x = 1; x < image.width - 1; ++x) {
+         const int value = slope(x, y - 1) + 2 * slope(x, y) + slope(x, y + 1);
+         filtered.at(x, y) = uint8_t(std::clamp(value, -cap, cap) + cap);
+      }
+   return filtered;
+}
+
+CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px) {
+   CensusImage census{image.width, image.height, {}};
+   for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+         uint64_t bits = 0;
+         int place = 0;
+         for (int row = y - census_height_px / 2; row <= y + census_height_px / 2; ++row)
+            for (int column = x - census_width_px / 2; column <= x + census_width_px / 2; ++column) {
+               if (row == y && column == x) continue;
+               const int other = inside(image, column, row) ? image.at(column, row) : 0;
+               if (other > image.at(x, y)) bits |= uint64_t(1) << place;
+               ++place;
+            }
+         census.bits.push_back(bits);
+      }
+   return census;
+}
+
+CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const MatchingParameters& parameters) {
    check_matching_input(left, right, parameters);
-   CostVolume costs(left.width - parameters.disparities + 1, left.height, parameters.disparities);
+   const bool filters = parameters.prefilter == Prefilter::xsobel, is_census = parameters.cost == Cost::census;
+   const GrayImage l = filters ? prefiltered(left, parameters.prefilter_cap) : left;
+   const GrayImage r = filters ? prefiltered(right, parameters.prefilter_cap) : right;
+   const int census_width = parameters.census_width_px, census_height = parameters.census_height_px;
+   const CensusImage left_bits = is_census ? census_transform(l, census_width, census_height) : CensusImage();
+   const CensusImage right_bits = is_census ? census_transform(r, census_width, census_height) : CensusImage();
+
+   const int first = first_cost_column(parameters);
+   CostVolume costs(cost_columns(left.width, parameters), left.height, parameters.disparities);
    for (int y = 0; y < costs.height; ++y)
       for (int x = 0; x < costs.width; ++x)
-         for (int d = 0; d < costs.disparities; ++d)
-            costs.at(x, y, d) = std::abs(int(right.at(x, y)) - int(left.at(x + d, y)));
+         for (int d = 0; d < costs.disparities; ++d) {
+            const int right_x = first + x, left_x = right_x + parameters.min_disparity + d;
+            const int difference = std::abs(int(r.at(right_x, y)) - int(l.at(left_x, y)));
+            costs.at(x, y, d) = is_census ? std::popcount(right_bits.at(right_x, y) ^ left_bits.at(left_x, y))
+                                : parameters.cost == Cost::ssd ? difference * difference
+                                                               : difference;
+         }
    return costs;
 }
 
 CostVolume column_sums(const CostVolume& costs, int window_px) {
-   const int radius = window_px / 2;
+   const int above = window_px / 2, below = (window_px - 1) / 2;
    CostVolume sums(costs.width, costs.height, costs.disparities);
    for (int y = 0; y < sums.height; ++y)
       for (int x = 0; x < sums.width; ++x)
-         for (int row = y - radius; row <= y + radius; ++row) {
-            if (row < 0 || row >= costs.height) continue;
+         for (int row = std::max(y - above, 0); row <= y + std::min(below, costs.height - 1 - y); ++row)
             for (int d = 0; d < sums.disparities; ++d) sums.at(x, y, d) += costs.at(x, row, d);
-         }
    return sums;
 }
 
 CostVolume window_sums(const CostVolume& costs, int window_px) {
-   const int radius = window_px / 2;
+   const int before = window_px / 2, after = (window_px - 1) / 2;
+   const CostVolume columns = column_sums(costs, window_px);
    CostVolume sums(costs.width - 1, costs.height, costs.disparities);
    for (int y = 0; y < sums.height; ++y)
       for (int x = 0; x < sums.width; ++x)
-         for (int row = y - radius; row <= y + radius; ++row)
-            for (int column = x - radius; column <= x + radius; ++column) {
-               if (row < 0 || row >= costs.height || column < 0 || column >= costs.width) continue;
-               for (int d = 0; d < sums.disparities; ++d) sums.at(x, y, d) += costs.at(column, row, d);
-            }
+         for (int column = std::max(x - before, 0); column <= x + std::min(after, costs.width - 1 - x); ++column)
+            for (int d = 0; d < sums.disparities; ++d) sums.at(x, y, d) += columns.at(column, y, d);
    return sums;
 }
 
-GrayImage winners(const CostVolume& sums) {
-   GrayImage map(sums.width, sums.height);
+DisparityMap winners(const CostVolume& sums, Ties ties) {
+   DisparityMap map(sums.width, sums.height);
    for (int y = 0; y < sums.height; ++y)
       for (int x = 0; x < sums.width; ++x) {
-         int best = 0;
-         for (int d = 1; d < sums.disparities; ++d)
-            if (sums.at(x, y, d) < sums.at(x, y, best)) best = d;
-         map.at(x, y) = uint8_t(best);
+         const int smallest = smallest_sum(sums, x, y);
+         int d = ties == Ties::smallest ? 0 : sums.disparities - 1;
+         while (sums.at(x, y, d) != smallest) d += ties == Ties::smallest ? 1 : -1;
+         map.at(x, y) = uint16_t(d);
       }
    return map;
 }
 
-GrayImage match_reference(const GrayImage& left, const GrayImage& right, MatchingParameters parameters) {
-   return winners(window_sums(pixel_costs(left, right, parameters), parameters.window_px));
+DisparityMap other_winners(const CostVolume& sums, Ties ties) {
+   DisparityMap map(sums.width + sums.disparities - 1, sums.height);
+   for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+         int best = -1;
+         for (int d = 0; d < sums.disparities; ++d) {
+            if (x - d < 0 || x - d >= sums.width) continue;
+            const int sum = sums.at(x - d, y, d), smallest = best < 0 ? sum : sums.at(x - best, y, best);
+            if (best < 0 || sum < smallest || (sum == smallest && ties == Ties::largest)) best = d;
+         }
+         map.at(x, y) = uint16_t(best);
+      }
+   return map;
+}
+
+GrayImage left_right_check(const DisparityMap& winners, const DisparityMap& other_winners, int threshold) {
+   GrayImage passes(winners.width, winners.height);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         const int d = winners.at(x, y), other = other_winners.at(x + d, y);
+         passes.at(x, y) = std::abs(other - d) <= threshold ? 1 : 0;
+      }
+   return passes;
+}
+
+GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, int percent) {
+   GrayImage passes(sums.width, sums.height, 1);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         const int winner = winners.at(x, y);
+         const int64_t smallest = sums.at(x, y, winner), limit = smallest + percent * smallest / 100;
+         for (int d = 0; d < sums.disparities; ++d)
+            if (std::abs(d - winner) > 1 && sums.at(x, y, d) <= limit) passes.at(x, y) = 0;
+      }
+   return passes;
+}
+
+GrayImage texture_check(const GrayImage& filtered, const MatchingParameters& parameters) {
+   const int columns = cost_columns(filtered.width, parameters), first = first_cost_column(parameters);
+   GrayImage passes(columns - 1, filtered.height);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         int64_t texture = 0;
+         for (int row = y - parameters.rows_above(); row <= y + parameters.rows_below(); ++row)
+            for (int column = x - parameters.rows_above(); column <= x + parameters.rows_below(); ++column) {
+               if (row < 0 || row >= filtered.height || column < 0 || column >= columns) continue;
+               texture += std::abs(filtered.at(first + column, row) - parameters.prefilter_cap);
+            }
+         passes.at(x, y) = texture >= parameters.texture_threshold ? 1 : 0;
+      }
+   return passes;
+}
+
+DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& winners) {
+   DisparityMap map = winners;
+   map.subpixel = true;
+   const int last = sums.disparities - 1;
+   for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+         const int d = winners.at(x, y);
+         int64_t offset = 0;  // in 256ths of a pixel; at an end of the range both neighbours are the same
+         if (d > 0 && d < last) {
+            const int64_t u = int64_t(sums.at(x, y, d - 1)) - sums.at(x, y, d);
+            const int64_t v = int64_t(sums.at(x, y, d + 1)) - sums.at(x, y, d);
+            if (std::max(u, v) != 0) offset = (u - v) * 128 / std::max(u, v);
+         }
+         map.at(x, y) = uint16_t((256 * d + offset + 15) >> 4);
+      }
+   return map;
+}
+
+DisparityMap median_filtered(const DisparityMap& map) {
+   DisparityMap filtered = map;
+   for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+         std::array<uint16_t, 9> around{};
+         std::size_t count = 0;
+         for (int row = y - 1; row <= y + 1; ++row)
+            for (int column = x - 1; column <= x + 1; ++column)
+               around[count++] = map.at(std::clamp(column, 0, map.width - 1), std::clamp(row, 0, map.height - 1));
+         std::sort(around.begin(), around.end());
+         filtered.at(x, y) = around[4];
+      }
+   return filtered;
+}
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const MatchingParameters& parameters) {
+   check_matching_input(left, right, parameters);
+   if (parameters.reference == Reference::left) {
+      MatchingParameters of_mirror = parameters;
+      of_mirror.reference = Reference::right;
+      return mirrored(match_reference(mirrored(right), mirrored(left), of_mirror));
+   }
+   const CostVolume sums = window_sums(pixel_costs(left, right, parameters), parameters.window_px);
+   const DisparityMap best = winners(sums, parameters.ties);
+   DisparityMap map = parameters.subpixel ? subpixel_disparities(sums, best) : best;
+   if (parameters.median) map = median_filtered(map);
+
+   const auto keep = [&map](const GrayImage& passes) {
+      for (std::size_t i = 0; i < map.valid.size(); ++i) map.valid[i] = map.valid[i] && passes.pixels[i] ? 1 : 0;
+   };
+   if (parameters.has_left_right_check())
+      keep(left_right_check(best, other_winners(sums, parameters.ties), parameters.left_right_threshold));
+   if (parameters.has_uniqueness_check()) keep(uniqueness_check(sums, best, parameters.uniqueness_percent));
+   if (parameters.has_texture_check()) keep(texture_check(prefiltered(right, parameters.prefilter_cap), parameters));
+   return map;
 }
 
 }  // namespace stereo

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The definition of the result, one function a stage, for tests: plain loops and nothing shared with hls/.
+// The definition of the result, docs/algorithm.md, one function a stage, for tests: plain loops and nothing shared with
+// hls/ but the names of the options.
+//
+// Every stage takes the right image as reference: for a left one, give it the mirrored pair (models/mirror.hpp). Column
+// x of a volume is cost column first_cost_column() + x.
 #pragma once
 
 #include "models/matching.hpp"
@@ -29,19 +33,52 @@ struct CostVolume {
    }
 };
 
-/// c(x,y,d) = |R(x,y) - L(x+d,y)| for 0 <= x <= W-D: a volume of (W-D+1) x H x D.
-CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, MatchingParameters parameters);
+/// Census transforms, one for each pixel: bit i is the i-th other pixel of the window in raster order.
+struct CensusImage {
+   int width = 0;
+   int height = 0;
+   std::vector<uint64_t> bits;
 
-/// Sum of c over the rows y-r ... y+r of one column; rows outside the image count 0. Same size as c.
+   uint64_t at(int x, int y) const { return bits[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+};
+
+/// 1. f(x,y) = 0 ... 2*cap. In an image of one row, that row stands above and below itself.
+GrayImage prefiltered(const GrayImage& image, int cap);
+
+/// 2. Pixels outside the image count as 0.
+CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px);
+
+/// 1. and 2. c(x,y,d), prefilter or census transform included: a volume of cost_columns() x H x D. Throws
+/// std::invalid_argument as check_matching_input does. A reference in the parameters is of no account.
+CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const MatchingParameters& parameters);
+
+/// Sum of c over the rows y-B/2 ... y+(B-1)/2 of one column; rows outside the image count 0. Same size as c.
 CostVolume column_sums(const CostVolume& costs, int window_px);
 
-/// S(x,y,d): sum of c over the window centred on (x,y); cost columns and rows outside count 0. (W-D) x H x D.
+/// 3. S(x,y,d): sum of c over the window around (x,y); cost columns and rows outside count 0. One column less than c.
 CostVolume window_sums(const CostVolume& costs, int window_px);
 
-/// The smallest d with the smallest sum.
-GrayImage winners(const CostVolume& sums);
+/// 4. d*, in pixels, all valid.
+DisparityMap winners(const CostVolume& sums, Ties ties = Ties::smallest);
 
-/// All of it: the disparity map, W-D wide. Throws std::invalid_argument as check_matching_input does.
-GrayImage match_reference(const GrayImage& left, const GrayImage& right, MatchingParameters parameters);
+/// 5. D'(X), in pixels: column i is X = first_cost_column() + min_disparity + i of the other image. S's width + D-1
+/// columns.
+DisparityMap other_winners(const CostVolume& sums, Ties ties = Ties::smallest);
+
+// 5. The checks: 1 where the pixel passes, else 0. `winners` are those of the same sums.
+GrayImage left_right_check(const DisparityMap& winners, const DisparityMap& other_winners, int threshold);
+GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, int percent);
+/// `filtered` is the prefiltered right image, of the whole width.
+GrayImage texture_check(const GrayImage& filtered, const MatchingParameters& parameters);
+
+/// 6. Sixteenths of a pixel, validity as in `winners`.
+DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& winners);
+
+/// 7. Disparities only; validity and unit stay.
+DisparityMap median_filtered(const DisparityMap& map);
+
+/// All of it, for either reference: the disparity map, map_width() x H. Throws std::invalid_argument as
+/// check_matching_input does.
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const MatchingParameters& parameters);
 
 }  // namespace stereo

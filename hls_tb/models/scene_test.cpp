@@ -53,7 +53,7 @@ TEST(Scene, HasDepthAndOcclusions) {
 
 TEST(Scene, IsWhatAMatcherFinds) {
    const Scene scene = make_scene({.seed = test_seed()});
-   const GrayImage map = match_fast(scene.images.left, scene.images.right, {100, 7});
+   const DisparityMap map = match_fast(scene.images.left, scene.images.right, {100, 7});
    int visible = 0, good = 0;
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {

@@ -43,6 +43,16 @@ template <class Value>
    return compare({expected.width, expected.height, 1}, expected.pixels, {got.width, got.height, 1}, got.pixels);
 }
 
+::testing::AssertionResult same_map(const DisparityMap& expected, const DisparityMap& got) {
+   if (expected.subpixel != got.subpixel)
+      return ::testing::AssertionFailure() << "one map is in pixels, the other in sixteenths of a pixel";
+   const Size expected_size{expected.width, expected.height, 1}, got_size{got.width, got.height, 1};
+   const auto disparities = compare(expected_size, expected.disparity, got_size, got.disparity);
+   if (!disparities) return disparities;
+   const auto validity = compare(expected_size, expected.valid, got_size, got.valid);
+   return validity ? validity : ::testing::AssertionFailure() << "validity: " << validity.message();
+}
+
 ::testing::AssertionResult same_volume(const CostVolume& expected, const CostVolume& got) {
    return compare({expected.width, expected.height, expected.disparities}, expected.values,
                   {got.width, got.height, got.disparities}, got.values);

@@ -111,13 +111,13 @@ CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
    return located;
 }
 
-std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, const StereoConfig& config) {
+std::vector<DisparityMap> collect_frames(const std::vector<CoreOutput>& outputs, const StereoConfig& config) {
    const int width = config.output_width_px(), height = config.output_height_px();
    const std::size_t columns = std::size_t(width), frame_size = columns * std::size_t(config.row_groups());
    if (outputs.size() % frame_size != 0)
       throw std::runtime_error("the core gave " + std::to_string(outputs.size()) +
                                " outputs, which is no multiple of " + size_text(width, config.row_groups()));
-   std::vector<GrayImage> frames;
+   std::vector<DisparityMap> frames;
    for (std::size_t i = 0; i < outputs.size(); ++i) {
       const CoreOutput& output = outputs[i];
       const std::size_t place = i % frame_size;
@@ -129,8 +129,11 @@ std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, co
                                   " y=" + std::to_string(output.y) + " of frame " + std::to_string(output.frame) +
                                   " but belongs at x=" + std::to_string(x) + " y=" + std::to_string(y) + " of frame " +
                                   std::to_string(i / frame_size));
-      if (place == 0) frames.emplace_back(width, height);
-      for (int p = 0; p < config.pixels_per_clock; ++p) frames.back().at(x, y + p) = uint8_t(output.disparity[std::size_t(p)]);
+      if (place == 0) frames.emplace_back(width, height, uint16_t(0), config.subpixel);
+      for (int p = 0; p < config.pixels_per_clock; ++p) {
+         frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
+         frames.back().valid_at(x, y + p) = output.pixel_valid[std::size_t(p)] ? 1 : 0;
+      }
    }
    return frames;
 }

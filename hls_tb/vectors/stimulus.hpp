@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "models/disparity_map.hpp"
 #include "models/gray_image.hpp"
 #include "models/random.hpp"
 #include "stereo_config.hpp"
@@ -105,6 +106,6 @@ class OutputLocator {
 
 /// One disparity map a frame. Throws std::runtime_error unless every frame has each pixel exactly once, in raster
 /// order.
-std::vector<GrayImage> collect_frames(const std::vector<CoreOutput>& outputs, const StereoConfig& config);
+std::vector<DisparityMap> collect_frames(const std::vector<CoreOutput>& outputs, const StereoConfig& config);
 
 }  // namespace stereo

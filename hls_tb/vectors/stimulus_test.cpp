@@ -8,6 +8,7 @@
 #include "support/seed.hpp"
 #include "support/test_configs.hpp"
 #include "support/test_pairs.hpp"
+#include "vectors/matching_parameters.hpp"
 #include "vectors/run_core.hpp"
 
 namespace stereo::test {
@@ -86,7 +87,7 @@ TYPED_TEST(StimulusTest, OddFramesAreUpsideDown) {
    ASSERT_EQ(maps.size(), 3u);
    for (std::size_t i = 0; i < 3; ++i) {
       const ImagePair& shown = i % 2 == 0 ? pair : flipped;
-      EXPECT_TRUE(same_map(match_reference(shown.left, shown.right, {C.disparities, C.window_px}), maps[i])) << i;
+      EXPECT_TRUE(same_map(match_reference(shown.left, shown.right, matching_parameters(C)), maps[i])) << i;
    }
 }
 
@@ -101,14 +102,14 @@ TYPED_TEST(StimulusTest, RowsAreTheTopOfAFrame) {
    GrayImage left(C.width_px, kHeight), right(C.width_px, kHeight);
    std::copy_n(pair.left.row(kFirst), left.pixels.size(), left.pixels.begin());
    std::copy_n(pair.right.row(kFirst), right.pixels.size(), right.pixels.begin());
-   const GrayImage expected = match_reference(left, right, {C.disparities, C.window_px});
+   const DisparityMap expected = match_reference(left, right, matching_parameters(C));
    // Without the records after its last row, the last groups stay inside; in wide windows also the last r - 1 columns
    // of the group before them.
    const int height = kHeight - C.delay_groups() * C.pixels_per_clock, hidden = C.radius_px() - 1;
-   GrayImage seen(expected.width, height), got(expected.width, height);
-   std::copy_n(expected.pixels.begin(), seen.pixels.size(), seen.pixels.begin());
+   DisparityMap seen(expected.width, height), got(expected.width, height);
+   std::copy_n(expected.disparity.begin(), seen.disparity.size(), seen.disparity.begin());
    for (int y = height - C.pixels_per_clock; y < height; ++y)
-      std::fill_n(seen.row(y) + seen.width - hidden, hidden, uint8_t(0));
+      std::fill_n(seen.disparity.begin() + (y + 1) * seen.width - hidden, hidden, uint16_t(0));
    const auto outputs = run_core<TypeParam::kConfig>(made.clocks);
    ASSERT_EQ(int(outputs.size()), expected.width * height / C.pixels_per_clock - hidden);
    for (const CoreOutput& output : outputs)
