@@ -5,8 +5,8 @@
 
 namespace stereo {
 
-/// The best of a range of neighbouring disparities, and what the checks after the winner need of the others. Members that
-/// the configuration does not need stay 0 and cost nothing.
+/// The best of a range of neighbouring disparities, and what the checks after the winner need of the others. Members
+/// that the configuration does not need stay 0 and cost nothing.
 template <const StereoConfig& C>
 struct Candidate {
    using Value = WindowCost<C>;
@@ -17,9 +17,9 @@ struct Candidate {
 
    Value cost = 0;
    uint8_t index = 0;
-   Value below = 0, above = 0;  ///< costs beside the winner; without meaning at an end of the whole range
-   Value first = 0, last = 0;   ///< costs at the ends of the range
-   Value second = 0;            ///< smallest cost that is not the winner's or beside it
+   Value below = 0, above = 0;         ///< costs beside the winner; without meaning at an end of the whole range
+   Value first = 0, last = 0;          ///< costs at the ends of the range
+   Value second = 0;                   ///< smallest cost that is not the winner's or beside it
    Value but_first = 0, but_last = 0;  ///< smallest cost of the range without its first, last disparity
 
    static HLS_INLINE Candidate single(Value cost, uint8_t index) {
@@ -53,7 +53,7 @@ struct Candidate {
       return best;
    }
 
- private:
+  private:
    static HLS_INLINE Value smaller(Value x, Value y) { return select<Value>(y < x, y, x); }
 };
 

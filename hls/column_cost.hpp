@@ -55,7 +55,7 @@ struct RecursiveColumn {
    PixelCost<C, Count> pixels;  // clocks 1 and 2
    uint16_t read_column = 0;    ///< of the columns that pixels.first shows
    Word read_words[Pack::kWords];
-   uint16_t change_column = 0;  // clock 2: of pixels.cost
+   uint16_t change_column = 0;     // clock 2: of pixels.cost
    Change change[kPixels][Count];  // clock 3: what the group's rows up to p add
    Word ready_words[Pack::kWords];
    uint16_t ready_column = 0;
@@ -106,7 +106,8 @@ struct RecursiveColumn {
          const Lane above = select<Lane>(ready_tag.first_group, 0, Pack::lane(ready_words, i));
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
-            const ColumnCost<C> sum = ColumnCost<C>(above + change[p][i]) & ColumnCost<C>((uint64_t(1) << kCostBits) - 1);
+            const ColumnCost<C> sum =
+                ColumnCost<C>(above + change[p][i]) & ColumnCost<C>((uint64_t(1) << kCostBits) - 1);
             column[p][i] = select<ColumnCost<C>>(ready_tag.border_column, 0, sum);
          }
          newest[i] = column[kPixels - 1][i];
@@ -143,8 +144,8 @@ struct DirectSadColumn : SadCost<C, Count> {
 
 /// The block that sums the costs of a configuration's columns. All have `column`, `tag`, `clock(shift)` and kClocks.
 template <const StereoConfig& C, int Count>
-using ColumnBlock = std::conditional_t<
-    C.aggregation == Aggregation::recursive, RecursiveColumn<C, Count>,
-    std::conditional_t<C.cost == Cost::sad, DirectSadColumn<C, Count>, DirectColumn<C, Count>>>;
+using ColumnBlock =
+    std::conditional_t<C.aggregation == Aggregation::recursive, RecursiveColumn<C, Count>,
+                       std::conditional_t<C.cost == Cost::sad, DirectSadColumn<C, Count>, DirectColumn<C, Count>>>;
 
 }  // namespace stereo

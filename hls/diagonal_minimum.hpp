@@ -5,8 +5,8 @@
 
 namespace stereo {
 
-/// The other image's winners, from the same window costs: S(x,d) is a cost of the other image's pixel X = x + d (x - d with
-/// a left reference), so each column's costs meet the best so far one disparity further. For P windows and `Count`
+/// The other image's winners, from the same window costs: S(x,d) is a cost of the other image's pixel X = x + d (x - d
+/// with a left reference), so each column's costs meet the best so far one disparity further. For P windows and `Count`
 /// disparities. 1 clock. Registers: P x (Count + 1) x (window cost + 8) bits.
 ///
 /// Blocks are chained as the shifts are: the next one takes `cost_out` and `winner_out` one clock later.
@@ -51,7 +51,8 @@ struct DiagonalMinimum {
             const bool has_rival = !tag.first_column && !(i == kNewest && Before::kIsNone);
             const bool wins = tag.output_column && (!has_rival || beats(sum[p][i], old_cost));
             cost[p][i] = select<Value>(tag.valid, select<Value>(wins, sum[p][i], old_cost), cost[p][i]);
-            winner[p][i] = select<uint8_t>(tag.valid, select<uint8_t>(wins, uint8_t(first + i), old_winner), winner[p][i]);
+            winner[p][i] =
+                select<uint8_t>(tag.valid, select<uint8_t>(wins, uint8_t(first + i), old_winner), winner[p][i]);
          }
       }
    }

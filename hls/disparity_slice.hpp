@@ -7,8 +7,8 @@
 namespace stereo {
 
 /// The slices for the last `Disparities` disparities that the searched pixels meet. Each slice holds the shift, cost,
-/// window and winner blocks of up to C.slice_disparities disparities and works one clock behind the slice before it, from
-/// which it gets the pixels and the best candidate so far. The first slice has the highest disparities where the
+/// window and winner blocks of up to C.slice_disparities disparities and works one clock behind the slice before it,
+/// from which it gets the pixels and the best candidate so far. The first slice has the highest disparities where the
 /// reference is the right image, the lowest where it is the left one.
 template <const StereoConfig& C, int Disparities>
 struct DisparitySlice {

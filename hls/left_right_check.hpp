@@ -5,9 +5,9 @@
 
 namespace stereo {
 
-/// Compares each winner with that of the other image's pixel that it points at. 4 clocks; winners come out D-1 columns later,
-/// when that pixel has met all disparities. Memory: D x P winners, and P x the next power of two above D+3 x 8 bits for
-/// those of the other image.
+/// Compares each winner with that of the other image's pixel that it points at. 4 clocks; winners come out D-1 columns
+/// later, when that pixel has met all disparities. Memory: D x P winners, and P x the next power of two above D+3 x 8
+/// bits for those of the other image.
 template <const StereoConfig& C>
 struct LeftRightCheck {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -23,7 +23,7 @@ struct LeftRightCheck {
    static constexpr int kTagBits = 4;
    using Word = uint_of_bits<kPixels * kLaneBits + kTagBits>;
 
-   uint8_t other[kAhead][kPixels];  ///< [age][p]
+   uint8_t other[kAhead][kPixels];     ///< [age][p]
    MemoryBank<Word, kPlaces, 1> ring;  // as in PairDelay
    uint16_t read_address = 1, write_address = 0;
    MemoryBank<uint8_t, kOtherPlaces, kPixels> others;
@@ -34,12 +34,10 @@ struct LeftRightCheck {
    bool held_valid = false;
    // clock 2
    uint16_t address[kPixels];
-   Word asking = 0;
-   bool asking_valid = false;
+   Winners<C> asking;
    // clock 3
    uint8_t found[kPixels];
-   Word answered = 0;
-   bool answered_valid = false;
+   Winners<C> answered;
    // clock 4
    Winners<C> checked;
 
@@ -59,16 +57,15 @@ struct LeftRightCheck {
       compare();
       others.read_each(address, found);
       answered = asking;
-      answered_valid = asking_valid;
+      asking = unpacked(held[0]);
+      asking.tag.valid = held_valid;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const uint16_t d = disparity(held[0], p);
-         const uint16_t place = C.reference == Reference::right ? uint16_t(held_position - kDelay + d)
-                                                                : uint16_t(held_position - d);
+         const uint16_t d = asking.disparity[p];
+         const uint16_t place =
+             C.reference == Reference::right ? uint16_t(held_position - kDelay + d) : uint16_t(held_position - d);
          address[p] = at_most<kOtherPlaces - 1>(place);
       }
-      asking = held[0];
-      asking_valid = held_valid;
 
       uint8_t newest[kPixels];
       HLS_UNROLL
@@ -104,25 +101,30 @@ struct LeftRightCheck {
       }
       return word;
    }
-   static HLS_INLINE uint8_t disparity(Word word, int p) { return uint8_t(word >> (kTagBits + kLaneBits * p)); }
-
-   HLS_INLINE void compare() {
+   static HLS_INLINE Winners<C> unpacked(Word word) {
+      Winners<C> out;
+      out.tag.map_column = (word & 1) != 0;
+      out.tag.output_column = (word >> 1 & 1) != 0;
+      out.tag.start_of_frame = (word >> 2 & 1) != 0;
+      out.tag.end_of_line = (word >> 3 & 1) != 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const Word lane = Word(answered >> (kTagBits + kLaneBits * p));
-         const uint8_t d = uint8_t(lane);
-         const int16_t difference = int16_t(d - found[p]);
-         const bool consistent =
-             difference <= C.left_right_threshold && difference >= -C.left_right_threshold;
-         checked.disparity[p] = d;
-         checked.passed[p] = (lane >> 8 & 1) != 0 && consistent;
-         if constexpr (C.subpixel) checked.fraction[p] = uint8_t(lane >> 9 & 31);
+         const Word lane = Word(word >> (kTagBits + kLaneBits * p));
+         out.disparity[p] = uint8_t(lane);
+         out.passed[p] = (lane >> 8 & 1) != 0;
+         if constexpr (C.subpixel) out.fraction[p] = uint8_t(lane >> 9 & 31);
       }
-      checked.tag.valid = answered_valid;
-      checked.tag.map_column = (answered & 1) != 0;
-      checked.tag.output_column = (answered >> 1 & 1) != 0;
-      checked.tag.start_of_frame = (answered >> 2 & 1) != 0;
-      checked.tag.end_of_line = (answered >> 3 & 1) != 0;
+      return out;
+   }
+
+   HLS_INLINE void compare() {
+      checked = answered;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const int16_t difference = int16_t(answered.disparity[p] - found[p]);
+         const bool consistent = difference <= C.left_right_threshold && difference >= -C.left_right_threshold;
+         checked.passed[p] = answered.passed[p] && consistent;
+      }
    }
 };
 

@@ -35,8 +35,19 @@ HLS_INLINE MapGroup<C> map_group(const Winners<C>& in) {
    return out;
 }
 
-/// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 7 clocks; pixels come out a
-/// row of groups and a column later. Memory: map width x (P+1) x (disparity bits + 1).
+/// Registers between the subpixel winners and the ports. 1 clock.
+template <const StereoConfig& C>
+struct MapRegister {
+   static constexpr int kClocks = 1;
+   MapGroup<C> out;
+
+   template <class Source>
+   HLS_INLINE explicit MapRegister(Source&) {}
+   HLS_INLINE void clock(const Winners<C>& in) { out = map_group<C>(in); }
+};
+
+/// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 7 clocks; pixels come
+/// out a row of groups and a column later. Memory: map width x (P+1) x (disparity bits + 1).
 template <const StereoConfig& C>
 struct Median {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -52,10 +63,10 @@ struct Median {
    /// What travels beside a column. The column behind a line's last one only brings out the last median.
    struct Place {
       uint16_t column = 0;
-      bool arrives = false;   ///< a column of the map
-      bool behind = false;    ///< the column behind a line
+      bool arrives = false;              ///< a column of the map
+      bool behind = false;               ///< the column behind a line
       bool top = false, bottom = false;  ///< the row above, below the group is outside the map
-      bool output = false;    ///< the group above this one is in the map
+      bool output = false;               ///< the group above this one is in the map
    };
 
    // clock 1
@@ -72,7 +83,6 @@ struct Median {
    // clock 5
    uint16_t low[3][kPixels], middle[3][kPixels], high[3][kPixels];  ///< [age][p]
    bool passed[2][kPixels];
-   Place sorted;
    bool complete = false, first = false, last = false;
    // clock 6
    uint16_t largest_low[kPixels], median_middle[kPixels], smallest_high[kPixels];
@@ -125,19 +135,19 @@ struct Median {
       behind = in.tag.valid && line_ended;
       line_ended = select<bool>(in.tag.valid, in.tag.map_column && in.tag.end_of_line, line_ended);
       HLS_UNROLL
-      for (int p = 0; p < kPixels; ++p)
-         newest[p] = Lane(Lane(group.disparity[p]) << 1 | Lane(group.passed[p]));
+      for (int p = 0; p < kPixels; ++p) newest[p] = Lane(Lane(group.disparity[p]) << 1 | Lane(group.passed[p]));
    }
 
-   /// A new column goes in, or the one behind the line, which repeats the last; column 0 also is its own left neighbour.
+   /// A new column goes in, or the one behind the line, which repeats the last; column 0 also is its own left
+   /// neighbour.
    HLS_INLINE void sort_column() {
       const bool move = at.arrives || at.behind;
       const bool starts = at.column == 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          const uint16_t centre = uint16_t(column[p + 1] >> 1);
-         const uint16_t above = p == 0 ? select<uint16_t>(at.top, centre, uint16_t(column[p] >> 1))
-                                       : uint16_t(column[p] >> 1);
+         const uint16_t above =
+             p == 0 ? select<uint16_t>(at.top, centre, uint16_t(column[p] >> 1)) : uint16_t(column[p] >> 1);
          const uint16_t below = p == kPixels - 1 ? select<uint16_t>(at.bottom, centre, uint16_t(column[p + 2] >> 1))
                                                  : uint16_t(column[p + 2] >> 1);
          const uint16_t a = smaller(above, centre), b = larger(above, centre);

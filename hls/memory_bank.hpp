@@ -11,9 +11,10 @@ struct MemoryId {};
 
 /// `Count` memories of `Depth` words, read together at one address and written together at another.
 ///
-/// The words stand outside the core: a memory that is indexed at run time would tie every register of the same object to
-/// memory. They come from a `Source`, an object with `template <class Word, int Depth, int Number> Word (&words())[Depth]`,
-/// that gives each number its own array of zeros. A bank takes the numbers First ... First + Count - 1.
+/// The words stand outside the core: a memory that is indexed at run time would tie every register of the same object
+/// to memory. They come from a `Source`, an object with `template <class Word, int Depth, int Number> Word
+/// (&words())[Depth]`, that gives each number its own array of zeros. A bank takes the numbers First ... First + Count
+/// - 1.
 template <class Word, int Depth, int Count>
 struct MemoryBank {
    Word (&words)[Depth];
@@ -64,9 +65,9 @@ inline constexpr int kWinners = 500;
 inline constexpr int kOtherWinners = 600;
 inline constexpr int kMap = 700;
 inline constexpr int kTexture = 800;
-inline constexpr int kSlices = 1000;    ///< + 200 x lowest disparity of the slice
+inline constexpr int kSlices = 1000;  ///< + 200 x lowest disparity of the slice
 inline constexpr int kPerSlice = 200;
-inline constexpr int kColumns = 0;      ///< of a slice or the texture: its column sums
+inline constexpr int kColumns = 0;        ///< of a slice or the texture: its column sums
 inline constexpr int kLastColumns = 100;  ///< of a slice or the texture: the columns of its windows
 }  // namespace memory_numbers
 

@@ -7,8 +7,8 @@
 
 namespace stereo {
 
-/// Holds one of the images back, so that a pixel of the reference meets those that it is compared with, and derives from
-/// the place what the later blocks must know. 1 clock. Memory: (delay + 1) x feature bits x P.
+/// Holds one of the images back, so that a pixel of the reference meets those that it is compared with, and derives
+/// from the place what the later blocks must know. 1 clock. Memory: (delay + 1) x feature bits x P.
 template <const StereoConfig& C>
 struct PairDelay {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -25,10 +25,10 @@ struct PairDelay {
    uint16_t read_address = kPlaces > 1 ? 1 : 0;
    uint16_t write_address = 0;
 
-   Feature<C> ahead[kPixels];    ///< of the image that is not held back
-   Word delayed[Pack::kWords];   ///< of the other one
-   uint16_t column = 0;          ///< of `ahead`
-   bool row_inside[kTaps];       ///< [t]: tap t is a row of the frame whose windows are summed
+   Feature<C> ahead[kPixels];   ///< of the image that is not held back
+   Word delayed[Pack::kWords];  ///< of the other one
+   uint16_t column = 0;         ///< of `ahead`
+   bool row_inside[kTaps];      ///< [t]: tap t is a row of the frame whose windows are summed
    PixelTag tag;
 
    template <class Source>

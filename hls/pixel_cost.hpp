@@ -72,8 +72,7 @@ struct PixelCost {
 
    HLS_INLINE PixelCost() {
       HLS_UNROLL
-      for (int t = 0; t < kTaps; ++t)
-         HLS_UNROLL
+      for (int t = 0; t < kTaps; ++t) HLS_UNROLL
       for (int i = 0; i < Count; ++i) {
          first[t][i] = Distance::first(0, 0);
          cost[t][i] = 0;

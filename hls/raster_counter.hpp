@@ -7,11 +7,11 @@ namespace stereo {
 
 /// Counts columns and groups of rows of a stream of `Width` columns and `Groups` groups of rows a frame.
 ///
-/// Windows around a group of rows need rows below it, so the last groups of a frame leave while `Delay` further ones come
-/// in. Those are either anything without start of frame ("flush groups"), or simply the first rows of the next frame.
-/// In the second case a frame costs Width*Groups clocks and not one more. `group` counts what the windows see: 0 ...
-/// Groups-1 are groups of image rows, then come the groups after them, whoever sends them, and the last value is idle.
-/// Without `Joins` a frame that starts among those groups takes them away from the one before.
+/// Windows around a group of rows need rows below it, so the last groups of a frame leave while `Delay` further ones
+/// come in. Those are either anything without start of frame ("flush groups"), or simply the first rows of the next
+/// frame. In the second case a frame costs Width*Groups clocks and not one more. `group` counts what the windows see: 0
+/// ... Groups-1 are groups of image rows, then come the groups after them, whoever sends them, and the last value is
+/// idle. Without `Joins` a frame that starts among those groups takes them away from the one before.
 template <int Width, int Groups, int Delay, bool Joins>
 struct RasterCounter {
    static constexpr int kIdle = Groups + Delay;

@@ -25,9 +25,10 @@ struct Winners {
 template <const StereoConfig& C>
 struct Refinement {
    static constexpr int kPixels = C.pixels_per_clock;
-   static constexpr int kClocks = C.subpixel ? 9 : C.has_uniqueness_check() ? 3 : 0;
+   static constexpr int kClocks = C.subpixel ? 10 : C.has_uniqueness_check() ? 3 : 0;
    static constexpr int kStages = kClocks > 0 ? kClocks : 1;
    static constexpr int kUniquenessStage = 2;
+   static constexpr int kQuotientBits = 8;
    using Value = WindowCost<C>;
 
    struct Pixel {
@@ -42,6 +43,7 @@ struct Refinement {
       Value divisor = 1;
       uint8_t quotient = 0;
       bool negative = false;
+      uint8_t fraction = 8;
    };
    Pixel pixel[kStages][kPixels];
    PixelTag tag[kStages];
@@ -63,9 +65,7 @@ struct Refinement {
             const Pixel& done = pixel[kStages - 1][p];
             winners.disparity[p] = done.disparity;
             winners.passed[p] = done.passed;
-            if constexpr (C.subpixel)
-               winners.fraction[p] = select<uint8_t>(done.negative, uint8_t(8 - (done.quotient >> 4)),
-                                                     uint8_t(8 + ((done.quotient + 15) >> 4)));
+            winners.fraction[p] = done.fraction;
          }
          winners.tag = tag[kStages - 1];
       }
@@ -127,10 +127,15 @@ struct Refinement {
             pixel.passed = before.passed && (before.alone || before.scaled_gap > before.scaled_cost);
       }
       if constexpr (C.subpixel) {
-         const uint32_t remainder = stage == 1 ? before.remainder : before.remainder << 1;
-         const bool fits = remainder >= before.divisor;
-         pixel.remainder = select<uint32_t>(fits, remainder - before.divisor, remainder) & kMask;
-         pixel.quotient = uint8_t(before.quotient << 1 | uint8_t(fits));
+         if (stage <= kQuotientBits) {
+            const uint32_t remainder = stage == 1 ? before.remainder : before.remainder << 1;
+            const bool fits = remainder >= before.divisor;
+            pixel.remainder = select<uint32_t>(fits, remainder - before.divisor, remainder) & kMask;
+            pixel.quotient = uint8_t(before.quotient << 1 | uint8_t(fits));
+         } else {
+            pixel.fraction = select<uint8_t>(before.negative, uint8_t(8 - (before.quotient >> 4)),
+                                             uint8_t(8 + ((before.quotient + 15) >> 4)));
+         }
       }
       return pixel;
    }

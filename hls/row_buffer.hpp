@@ -6,8 +6,8 @@
 
 namespace stereo {
 
-/// Keeps the last `Stored` rows of one image of `Width` columns and shows columns of them and of the newest `Pixels` rows.
-/// 2 clocks. Memory: Width x Stored x LaneBits bits, from number `Number` on.
+/// Keeps the last `Stored` rows of one image of `Width` columns and shows columns of them and of the newest `Pixels`
+/// rows. 2 clocks. Memory: Width x Stored x LaneBits bits, from number `Number` on.
 ///
 /// Clock 1 reads the stored column, clock 2 only waits, since block RAM is slow to show its data. The user of the shown
 /// column writes it back, aged, in clock 3. Addresses and data of all accesses come straight from registers, so a

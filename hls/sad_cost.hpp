@@ -14,8 +14,8 @@ using WindowCost = uint_of_bits<bits_for(C.largest_window_cost())>;
 /// Sums the absolute differences of a column of B pixels, for P windows one below the other and `Count` disparities.
 /// C.cost_clocks clocks.
 ///
-/// Three steps: differences; sums of neighbouring taps (1,2), (3,4), ...; column sums. Every window holds whole pairs and
-/// at most a single tap above and below them, so the windows share the pairs: 3 additions for 2 columns of 3 pixels
+/// Three steps: differences; sums of neighbouring taps (1,2), (3,4), ...; column sums. Every window holds whole pairs
+/// and at most a single tap above and below them, so the windows share the pairs: 3 additions for 2 columns of 3 pixels
 /// instead of 4.
 ///
 /// |a - b| is d = a - b where d is not negative and its complement plus 1 where it is. The plus 1 costs nothing where
@@ -28,8 +28,8 @@ struct SadCost {
    static constexpr int kTaps = C.tap_rows();
    static constexpr int kPairs = (kTaps - 1) / 2;
 
-   int16_t difference[kTaps][Count];  ///< search - reference, -255 ... 255
-   uint8_t reverse[kPairs + 1][Count];    ///< reference - search of the second tap of a pair, where that is not negative
+   int16_t difference[kTaps][Count];    ///< search - reference, -255 ... 255
+   uint8_t reverse[kPairs + 1][Count];  ///< reference - search of the second tap of a pair, where that is not negative
    PixelTag difference_tag;
    uint16_t pair[kPairs + 1][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, 0 ... 510
    uint8_t single[kTaps][Count];  ///< |d|, less 1 where the difference is negative; only of the taps that stand alone
@@ -107,8 +107,8 @@ struct SadCost {
       pair_tag = difference_tag;
    }
 
-   /// Window p covers the taps p ... p+B-1. From an even p: tap p, whole pairs, and of an even window a last single tap;
-   /// from an odd p: whole pairs, and of an odd window a last single tap.
+   /// Window p covers the taps p ... p+B-1. From an even p: tap p, whole pairs, and of an even window a last single
+   /// tap; from an odd p: whole pairs, and of an odd window a last single tap.
    HLS_INLINE void add_columns() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {

@@ -48,8 +48,8 @@ struct StereoConfig {
    /// Columns of a window that come in after its centre's.
    constexpr int columns_after() const { return reference == Reference::right ? rows_below() : rows_above(); }
 
-   // The images meet with an offset: when column t of the image that is ahead comes in, the cost column of the reference's
-   // column t - reference_delay() is complete.
+   // The images meet with an offset: when column t of the image that is ahead comes in, the cost column of the
+   // reference's column t - reference_delay() is complete.
    constexpr int reference_delay() const { return at_least_0(reference_offset()); }
    /// Columns by which the other image, the one that is searched, is held back.
    constexpr int search_delay() const { return at_least_0(-reference_offset()); }
@@ -108,7 +108,8 @@ struct StereoConfig {
    constexpr int transform_columns() const { return cost == Cost::census ? census_width_px / 2 : 1; }
    constexpr int transform_groups() const { return (transform_rows() + pixels_per_clock - 1) / pixels_per_clock; }
 
-   /// Valid groups of pixels, from the first of a frame on, that bring out its first disparities: the last of them does.
+   /// Valid groups of pixels, from the first of a frame on, that bring out its first disparities: the last of them
+   /// does.
    constexpr int groups_to_first_output() const {
       const int transform = has_transform() ? transform_groups() * width_px + transform_columns() : 0;
       const int check = has_left_right_check() ? disparities - 1 : 0;
@@ -118,11 +119,10 @@ struct StereoConfig {
    }
    /// Valid groups without start of frame that bring out the last disparities of a frame.
    constexpr int flush_groups() const {
-      return groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1 -
-             row_groups() * width_px;
+      return groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1 - row_groups() * width_px;
    }
-   /// Whole rows of groups that must stand between two frames. Recursive sums of a frame's last rows and of the next one's
-   /// first rows would need the same memory at once.
+   /// Whole rows of groups that must stand between two frames. Recursive sums of a frame's last rows and of the next
+   /// one's first rows would need the same memory at once.
    constexpr int gap_groups() const { return aggregation == Aggregation::recursive ? delay_groups() * width_px : 0; }
 
   private:
@@ -158,6 +158,8 @@ struct CheckedConfig {
    static_assert(C.left_right_threshold >= -1 && C.left_right_threshold < C.disparities,
                  "the left/right threshold must be -1 ... disparities - 1");
    static_assert(C.uniqueness_percent >= 0 && C.uniqueness_percent <= 100, "the uniqueness must be 0 ... 100 percent");
+   static_assert(!C.has_uniqueness_check() || C.largest_window_cost() < (1 << 24),
+                 "with a uniqueness check window costs must stay below 2^24");
    static_assert(!C.has_texture_check() || C.prefilter == Prefilter::xsobel, "the texture check needs the prefilter");
    static_assert(C.texture_threshold >= 0 && C.texture_threshold <= C.prefilter_cap * C.window_px * C.window_px,
                  "the texture threshold must be 0 ... the largest texture of a window");

@@ -25,13 +25,15 @@ template <const StereoConfig& C>
 struct StereoCore {
    static_assert(CheckedConfig<C>::kValid);
    using Slices = DisparitySlice<C, C.disparities>;
+   /// What makes the map of the winners. Whole disparities without a median are ready as they are.
+   using MapBlock = std::conditional_t<C.median, Median<C>, MapRegister<C>>;
+   static constexpr bool kHasMapBlock = C.median || C.subpixel;
 
-   /// Calls of `clock` from the one that takes the last pixels that a disparity depends on, or the group that must follow
-   /// them, to the one that returns the disparity.
-   static constexpr int kLatency = (C.has_transform() ? Transform<C>::kClocks : 0) + 5 + Slices::latency() +
-                                   Refinement<C>::kClocks +
-                                   (C.has_left_right_check() ? LeftRightCheck<C>::kClocks : 0) +
-                                   (C.median ? Median<C>::kClocks : 0);
+   /// Calls of `clock` from the one that takes the last pixels that a disparity depends on, or the group that must
+   /// follow them, to the one that returns the disparity.
+   static constexpr int kLatency =
+       (C.has_transform() ? Transform<C>::kClocks : 0) + 5 + Slices::latency() + Refinement<C>::kClocks +
+       (C.has_left_right_check() ? LeftRightCheck<C>::kClocks : 0) + (kHasMapBlock ? MapBlock::kClocks : 0);
 
    Optional<C.has_transform(), Transform<C>> transform;
    Raster<C> raster;
@@ -41,7 +43,7 @@ struct StereoCore {
    Optional<C.has_texture_check(), Texture<C>> texture;
    Refinement<C> refinement;
    Optional<C.has_left_right_check(), LeftRightCheck<C>> left_right;
-   Optional<C.median, Median<C>> median;
+   Optional<kHasMapBlock, MapBlock> map_block;
 
    /// `memories`: see MemoryBank.
    template <class Source>
@@ -52,7 +54,7 @@ struct StereoCore {
          slices(memories),
          texture(memories),
          left_right(memories),
-         median(memories) {}
+         map_block(memories) {}
 
    /// What the registers show in this clock. Does not depend on this clock's input.
    HLS_INLINE StereoOutput output() const {
@@ -72,8 +74,9 @@ struct StereoCore {
    /// The clock edge. Last block first: each reads what the block before it held until now.
    HLS_INLINE StereoOutput clock(const StereoInput& in) {
       const StereoOutput out = output();
-      if constexpr (C.median) median.clock(checked());
-      if constexpr (C.has_left_right_check()) left_right.clock(refinement.output(slices.last(), texture), slices.last());
+      if constexpr (kHasMapBlock) map_block.clock(checked());
+      if constexpr (C.has_left_right_check())
+         left_right.clock(refinement.output(slices.last(), texture), slices.last());
       refinement.clock(slices.last(), texture);
       if constexpr (C.has_texture_check()) texture.clock(rows);
       slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>());
@@ -95,7 +98,7 @@ struct StereoCore {
    }
 
    HLS_INLINE MapGroup<C> map() const {
-      if constexpr (C.median) return median.out;
+      if constexpr (kHasMapBlock) return map_block.out;
       else return map_group<C>(checked());
    }
 

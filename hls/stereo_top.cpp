@@ -34,8 +34,9 @@ struct Memories {
 #pragma HLS interface port = disparity_start_of_frame mode = none
 #pragma HLS interface port = disparity_end_of_line mode = none
 extern "C" void stereo_core(volatile Pixels* left_pixel, volatile Pixels* right_pixel, volatile bool* start_of_frame,
-                            volatile bool* valid, volatile Disparities* disparity, volatile uint8_t* pixel_valid, volatile bool* disparity_valid,
-                            volatile bool* disparity_start_of_frame, volatile bool* disparity_end_of_line) {
+                            volatile bool* valid, volatile Disparities* disparity, volatile uint8_t* pixel_valid,
+                            volatile bool* disparity_valid, volatile bool* disparity_start_of_frame,
+                            volatile bool* disparity_end_of_line) {
    Memories memories;
    Core core(memories);
 #pragma nounroll

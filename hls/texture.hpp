@@ -15,8 +15,8 @@ constexpr StereoConfig with_sad() {
 template <const StereoConfig& C>
 inline constexpr StereoConfig texture_config = with_sad<C>();
 
-/// Tells of each window whether the reference image has texture in it: the sum of |f - cap| reaches the threshold. Keeps
-/// step with the slices. The sum is that of a cost block whose searched pixels all are `cap`.
+/// Tells of each window whether the reference image has texture in it: the sum of |f - cap| reaches the threshold.
+/// Keeps step with the slices. The sum is that of a cost block whose searched pixels all are `cap`.
 template <const StereoConfig& C>
 struct Texture {
    static constexpr int kPixels = C.pixels_per_clock;

@@ -130,8 +130,8 @@ struct RunningWindowSum {
             const Sum after = Sum(before + change[p][i]) & kMask;
             sum[p][i] = select<Sum>(change_tag.valid, after, sum[p][i]);
             const typename Pack::Lane left = Pack::lane(leaving, p * Count + i);
-            change[p][i] = int32_t(entering[p][i]) -
-                           int32_t(select<typename Pack::Lane>(entering_tag.leaves_window, left, 0));
+            change[p][i] =
+                int32_t(entering[p][i]) - int32_t(select<typename Pack::Lane>(entering_tag.leaves_window, left, 0));
          }
       }
       tag = centre.clock(change_tag);
@@ -167,7 +167,7 @@ struct RunningWindowSum {
 
 /// The block that sums columns into windows. Both have `sum`, `tag`, `clock(column block)` and kClocks.
 template <const StereoConfig& C, int Count>
-using WindowBlock = std::conditional_t<C.aggregation == Aggregation::recursive, RunningWindowSum<C, Count>,
-                                       WindowSum<C, Count>>;
+using WindowBlock =
+    std::conditional_t<C.aggregation == Aggregation::recursive, RunningWindowSum<C, Count>, WindowSum<C, Count>>;
 
 }  // namespace stereo

@@ -93,11 +93,6 @@ std::string text_of(const Content& content, Writer write) {
    return out.str();
 }
 
-/// Of the delay of the right image and of the line memories of both.
-int memory_bits(const StereoConfig& config) {
-   return config.disparities * 8 * config.pixels_per_clock + 2 * config.width_px * 8 * config.stored_rows();
-}
-
 nlohmann::json as_json(const Configuration& entry) {
    const StereoConfig& config = entry.config;
    return {{"width_px", config.width_px},
@@ -112,7 +107,9 @@ nlohmann::json as_json(const Configuration& entry) {
            {"output_width_px", config.output_width_px()},
            {"output_height_px", config.output_height_px()},
            {"latency_clocks", entry.latency_clocks},
-           {"memory_bits", memory_bits(config)}};
+           {"groups_to_first_output", config.groups_to_first_output()},
+           {"flush_groups", config.flush_groups()},
+           {"gap_groups", config.gap_groups()}};
 }
 
 }  // namespace

@@ -3,23 +3,15 @@
 
 #include <algorithm>
 
-#include "vectors/register_trace.hpp"
-#include "vectors/run_core.hpp"
+#include "vectors/configuration_functions.hpp"
 
 namespace stereo {
-namespace {
-
-template <const StereoConfig& C>
-Configuration entry(const char* name) {
-   return {name, C, StereoCore<C>::kLatency, &run_core<C>, &trace_core<C>};
-}
-
-}  // namespace
-
 const std::vector<Configuration>& configuration_table() {
    static const std::vector<Configuration> table = [] {
       std::vector<Configuration> entries{
-#define STEREO_ENTRY(name) entry<configurations::name>(#name),
+#define STEREO_ENTRY(name)                                                                               \
+   Configuration{#name, configurations::name, configuration_functions::name::functions().latency_clocks, \
+                 configuration_functions::name::functions().run, &configuration_functions::name::trace},
           STEREO_FOR_EACH_CONFIGURATION(STEREO_ENTRY)
 #undef STEREO_ENTRY
       };

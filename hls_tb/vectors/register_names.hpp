@@ -18,70 +18,127 @@ void visit_array(Visit& visit, const std::string& name, const T (&array)[N]) {
       if constexpr (std::is_array_v<T>) {
          visit_array(visit, element, array[i]);
       } else {
-         visit(element, static_cast<int64_t>(array[i]));
+         visit(element, static_cast<uint64_t>(array[i]), array[i] < T(0));
       }
    }
 }
 
+template <class Visit, class T>
+void visit_value(Visit& visit, const std::string& name, T value) {
+   visit(name, static_cast<uint64_t>(value), value < T(0));
+}
+
 template <class Visit>
 void visit_tag(Visit& visit, const std::string& name, const PixelTag& tag) {
-   visit(name + "_valid", tag.valid);
-   visit(name + "_border_column", tag.border_column);
-   visit(name + "_output_column", tag.output_column);
-   visit(name + "_start_of_frame", tag.start_of_frame);
-   visit(name + "_end_of_line", tag.end_of_line);
+   visit_value(visit, name + "_valid", tag.valid);
+   visit_value(visit, name + "_row_start", tag.row_start);
+   visit_value(visit, name + "_first_group", tag.first_group);
+   visit_value(visit, name + "_border_column", tag.border_column);
+   visit_value(visit, name + "_first_cost", tag.first_cost);
+   visit_value(visit, name + "_leaves_window", tag.leaves_window);
+   visit_value(visit, name + "_map_column", tag.map_column);
+   visit_value(visit, name + "_output_column", tag.output_column);
+   visit_value(visit, name + "_first_column", tag.first_column);
+   visit_value(visit, name + "_start_of_frame", tag.start_of_frame);
+   visit_value(visit, name + "_end_of_line", tag.end_of_line);
+}
+
+template <class Visit, class Counter>
+void visit_counter(Visit& visit, const std::string& name, const Counter& counter) {
+   visit_value(visit, name + "_column", counter.column);
+   visit_value(visit, name + "_group", counter.group);
+   visit_value(visit, name + "_next_frame", counter.next_frame);
+}
+
+/// `Rows` is a RowBuffer.
+template <class Visit, class Rows>
+void visit_row_buffer(Visit& visit, const std::string& name, const Rows& rows) {
+   visit_array(visit, name + "_read_words", rows.read_words);
+   visit_array(visit, name + "_read_newest", rows.read_newest);
+   visit_array(visit, name + "_ready_words", rows.ready_words);
+   visit_array(visit, name + "_ready_newest", rows.ready_newest);
+   visit_array(visit, name + "_write_words", rows.write_words);
+}
+
+/// `Place` is that of a Transform.
+template <class Visit, class Place>
+void visit_transform_place(Visit& visit, const std::string& name, const Place& place) {
+   visit_value(visit, name + "_column", place.column);
+   visit_array(visit, name + "_row_inside", place.row_inside);
+   visit_array(visit, name + "_column_inside", place.column_inside);
+   visit_value(visit, name + "_start_of_frame", place.start_of_frame);
+   visit_value(visit, name + "_valid", place.valid);
+}
+
+template <class Visit>
+void visit_transform(Visit&, const Absent&) {}
+template <class Visit, const StereoConfig& C>
+void visit_transform(Visit& visit, const Transform<C>& transform) {
+   visit_array(visit, "transform_left", transform.left);
+   visit_array(visit, "transform_right", transform.right);
+   visit_value(visit, "transform_valid", transform.valid);
+   visit_counter(visit, "transform_counter", transform.counter);
+   visit_row_buffer(visit, "transform_left_rows", transform.left_rows);
+   visit_row_buffer(visit, "transform_right_rows", transform.right_rows);
+   visit_transform_place(visit, "transform_read", transform.read);
+   visit_transform_place(visit, "transform_ready", transform.ready);
+   visit_value(visit, "transform_write_column", transform.write_column);
+   visit_array(visit, "transform_left_column", transform.left_column);
+   visit_array(visit, "transform_right_column", transform.right_column);
+   visit_transform_place(visit, "transform_columns", transform.columns);
+   visit_array(visit, "transform_left_filter_column", transform.left_filter.column);
+   visit_array(visit, "transform_left_filter_feature", transform.left_filter.feature);
+   visit_array(visit, "transform_right_filter_column", transform.right_filter.column);
+   visit_array(visit, "transform_right_filter_feature", transform.right_filter.feature);
+   visit_transform_place(visit, "transform_filtering", transform.filtering);
+   visit_transform_place(visit, "transform_filtered", transform.filtered);
 }
 
 template <class Visit, const StereoConfig& C>
 void visit_raster(Visit& visit, const Raster<C>& raster) {
-   visit_array(visit, "raster_left", raster.left);
-   visit("raster_right", raster.right);
-   visit("raster_valid", raster.valid);
-   visit("raster_column", raster.column);
-   visit("raster_group", raster.group);
-   visit("raster_next_frame", raster.next_frame);
+   visit_array(visit, "raster_search", raster.features.search);
+   visit_array(visit, "raster_reference", raster.features.reference);
+   visit_value(visit, "raster_valid", raster.features.valid);
+   visit_counter(visit, "raster", raster.place);
 }
 
 template <class Visit, const StereoConfig& C>
-void visit_reference(Visit& visit, const ReferenceDelay<C>& reference) {
-   visit("reference_read_address", reference.read_address);
-   visit("reference_write_address", reference.write_address);
-   visit_array(visit, "reference_left", reference.left);
-   visit("reference_right", reference.right);
-   visit("reference_column", reference.column);
-   visit_array(visit, "reference_row_inside", reference.row_inside);
-   visit_tag(visit, "reference_tag", reference.tag);
+void visit_delay(Visit& visit, const PairDelay<C>& delay) {
+   visit_value(visit, "delay_read_address", delay.read_address);
+   visit_value(visit, "delay_write_address", delay.write_address);
+   visit_array(visit, "delay_ahead", delay.ahead);
+   visit_array(visit, "delay_delayed", delay.delayed);
+   visit_value(visit, "delay_column", delay.column);
+   visit_array(visit, "delay_row_inside", delay.row_inside);
+   visit_tag(visit, "delay_tag", delay.tag);
 }
 
-/// `Column` is LineBuffer<C>::Column.
-template <class Visit, class Column>
-void visit_column(Visit& visit, const std::string& name, const Column& column) {
-   visit(name + "_left_word", static_cast<int64_t>(column.left_word));
-   visit(name + "_right_word", static_cast<int64_t>(column.right_word));
-   visit_array(visit, name + "_left", column.left);
-   visit_array(visit, name + "_right", column.right);
-   visit(name + "_column", column.column);
-   visit_array(visit, name + "_inside", column.inside);
-   visit_tag(visit, name + "_tag", column.tag);
+/// `Place` is LineBuffer<C>::Place.
+template <class Visit, class Place>
+void visit_place(Visit& visit, const std::string& name, const Place& place) {
+   visit_value(visit, name + "_column", place.column);
+   visit_array(visit, name + "_inside", place.inside);
+   visit_tag(visit, name + "_tag", place.tag);
 }
 
 template <class Visit, const StereoConfig& C>
 void visit_rows(Visit& visit, const LineBuffer<C>& rows) {
-   visit_column(visit, "rows_read", rows.read);
-   visit_column(visit, "rows_ready", rows.ready);
-   visit_array(visit, "rows_left", rows.left);
-   visit_array(visit, "rows_right", rows.right);
+   visit_row_buffer(visit, "rows_search_rows", rows.search_rows);
+   visit_row_buffer(visit, "rows_reference_rows", rows.reference_rows);
+   visit_place(visit, "rows_read", rows.read);
+   visit_place(visit, "rows_ready", rows.ready);
+   visit_value(visit, "rows_write_column", rows.write_column);
+   visit_array(visit, "rows_search", rows.search);
+   visit_array(visit, "rows_reference", rows.reference);
+   visit_array(visit, "rows_inside", rows.inside);
    visit_tag(visit, "rows_tag", rows.tag);
-   visit("rows_write_left", static_cast<int64_t>(rows.write_left));
-   visit("rows_write_right", static_cast<int64_t>(rows.write_right));
-   visit("rows_write_column", rows.write_column);
 }
 
 template <class Visit, const StereoConfig& C, int Count>
 void visit_shift(Visit& visit, const std::string& name, const DisparityShift<C, Count>& shift) {
-   visit_array(visit, name + "_left", shift.left);
-   visit_array(visit, name + "_right", shift.right);
-   visit_array(visit, name + "_left_out", shift.left_out);
+   visit_array(visit, name + "_search", shift.search);
+   visit_array(visit, name + "_reference", shift.reference);
+   visit_array(visit, name + "_search_out", shift.search_out);
    visit_tag(visit, name + "_tag", shift.tag);
 }
 
@@ -99,20 +156,90 @@ void visit_cost(Visit& visit, const std::string& name, const SadCost<C, Count>& 
 }
 
 template <class Visit, const StereoConfig& C, int Count>
+void visit_pixels(Visit& visit, const std::string& name, const PixelCost<C, Count>& pixels) {
+   for (int t = 0; t < C.tap_rows(); ++t)
+      for (int i = 0; i < Count; ++i) {
+         const std::string first = name + "_first_" + std::to_string(t) + "_" + std::to_string(i);
+         if constexpr (C.cost == Cost::census) visit_array(visit, first, pixels.first[t][i].count);
+         else visit_value(visit, first, pixels.first[t][i]);
+      }
+   visit_tag(visit, name + "_first_tag", pixels.first_tag);
+   visit_array(visit, name + "_cost", pixels.cost);
+   visit_tag(visit, name + "_tag", pixels.tag);
+}
+
+template <class Visit, const StereoConfig& C, int Count>
+void visit_cost(Visit& visit, const std::string& name, const DirectColumn<C, Count>& cost) {
+   visit_pixels(visit, name + "_pixels", cost.pixels);
+   visit_array(visit, name + "_column", cost.column);
+   visit_tag(visit, name + "_tag", cost.tag);
+}
+
+template <class Visit, const StereoConfig& C, int Count>
+void visit_cost(Visit& visit, const std::string& name, const RecursiveColumn<C, Count>& cost) {
+   visit_pixels(visit, name + "_pixels", cost.pixels);
+   visit_value(visit, name + "_read_column", cost.read_column);
+   visit_array(visit, name + "_read_words", cost.read_words);
+   visit_value(visit, name + "_change_column", cost.change_column);
+   visit_array(visit, name + "_change", cost.change);
+   visit_array(visit, name + "_ready_words", cost.ready_words);
+   visit_value(visit, name + "_ready_column", cost.ready_column);
+   visit_tag(visit, name + "_ready_tag", cost.ready_tag);
+   visit_array(visit, name + "_column", cost.column);
+   visit_value(visit, name + "_write_column", cost.write_column);
+   visit_array(visit, name + "_write_words", cost.write_words);
+   visit_tag(visit, name + "_tag", cost.tag);
+}
+
+template <class Visit, const StereoConfig& C>
+void visit_centre(Visit& visit, const std::string& name, const CentreTag<C>& centre) {
+   for (int j = 0; j < CentreTag<C>::kAfter; ++j) visit_tag(visit, name + "_" + std::to_string(j), centre.held[j]);
+}
+
+template <class Visit, const StereoConfig& C, int Count>
 void visit_window(Visit& visit, const std::string& name, const WindowSum<C, Count>& window) {
    visit_array(visit, name + "_partial", window.partial);
-   for (int j = 0; j < C.radius_px(); ++j) visit_tag(visit, name + "_centre_" + std::to_string(j), window.centre[j]);
+   visit_centre(visit, name + "_centre", window.centre);
    visit_array(visit, name + "_sum", window.sum);
    visit_tag(visit, name + "_tag", window.tag);
 }
 
-template <class Visit, int Pixels, int N, int Group, int Levels>
-void visit_winner(Visit& visit, const std::string& slice, const WinnerTree<Pixels, N, Group, Levels>& winner,
-                  int level) {
+template <class Visit, const StereoConfig& C, int Count>
+void visit_window(Visit& visit, const std::string& name, const RunningWindowSum<C, Count>& window) {
+   visit_value(visit, name + "_read_address", window.read_address);
+   visit_value(visit, name + "_write_address", window.write_address);
+   visit_array(visit, name + "_leaving", window.leaving);
+   visit_array(visit, name + "_entering", window.entering);
+   visit_tag(visit, name + "_entering_tag", window.entering_tag);
+   visit_array(visit, name + "_change", window.change);
+   visit_tag(visit, name + "_change_tag", window.change_tag);
+   visit_array(visit, name + "_sum", window.sum);
+   visit_centre(visit, name + "_centre", window.centre);
+   visit_tag(visit, name + "_tag", window.tag);
+}
+
+template <class Visit, const StereoConfig& C, int N>
+void visit_candidates(Visit& visit, const std::string& name, const Candidates<C, N>& candidates) {
+   visit_array(visit, name + "_cost", candidates.cost);
+   visit_array(visit, name + "_index", candidates.index);
+   if constexpr (Candidate<C>::kHasNeighbours) {
+      visit_array(visit, name + "_below", candidates.below);
+      visit_array(visit, name + "_above", candidates.above);
+      visit_array(visit, name + "_first", candidates.first);
+      visit_array(visit, name + "_last", candidates.last);
+   }
+   if constexpr (Candidate<C>::kHasSecond) {
+      visit_array(visit, name + "_second", candidates.second);
+      visit_array(visit, name + "_but_first", candidates.but_first);
+      visit_array(visit, name + "_but_last", candidates.but_last);
+   }
+}
+
+template <class Visit, const StereoConfig& C, int N, int Levels, int Span>
+void visit_winner(Visit& visit, const std::string& slice, const WinnerTree<C, N, Levels, Span>& winner, int level) {
    if constexpr (Levels > 0) {
       const std::string name = slice + "winner" + std::to_string(level);
-      visit_array(visit, name + "_cost", winner.cost);
-      visit_array(visit, name + "_index", winner.index);
+      visit_candidates(visit, name, winner.best);
       visit_tag(visit, name + "_tag", winner.tag);
       visit_winner(visit, slice, winner.next, level + 1);
    }
@@ -124,25 +251,153 @@ void visit_slices(Visit& visit, const DisparitySlice<C, Disparities>& slice, int
    visit_shift(visit, name + "shift", slice.shift);
    visit_cost(visit, name + "cost", slice.cost);
    visit_window(visit, name + "window", slice.window);
+   if constexpr (C.has_left_right_check()) {
+      visit_array(visit, name + "other_cost", slice.other.cost);
+      visit_array(visit, name + "other_winner", slice.other.winner);
+      visit_array(visit, name + "other_cost_out", slice.other.cost_out);
+      visit_array(visit, name + "other_winner_out", slice.other.winner_out);
+   }
    visit_winner(visit, name, slice.winner, 1);
-   visit_array(visit, name + "best_cost", slice.best_cost);
-   visit_array(visit, name + "best_disparity", slice.best_disparity);
+   visit_candidates(visit, name + "best", slice.best);
    visit_tag(visit, name + "best_tag", slice.best_tag);
    if constexpr (!DisparitySlice<C, Disparities>::kIsLast) visit_slices(visit, slice.next, number + 1);
 }
 
+template <class Visit>
+void visit_texture(Visit&, const Absent&) {}
+template <class Visit, const StereoConfig& C>
+void visit_texture(Visit& visit, const Texture<C>& texture) {
+   visit_array(visit, "texture_taps_search", texture.taps.search);
+   visit_array(visit, "texture_taps_reference", texture.taps.reference);
+   visit_tag(visit, "texture_taps_tag", texture.taps.tag);
+   visit_cost(visit, "texturecost", texture.cost);
+   visit_window(visit, "texturewindow", texture.window);
+   visit_array(visit, "texture_passes", texture.passes);
+}
+
+template <class Visit, const StereoConfig& C>
+void visit_refinement(Visit& visit, const Refinement<C>& refinement) {
+   for (int stage = 0; stage < Refinement<C>::kClocks; ++stage) {
+      const std::string name = "refinement_" + std::to_string(stage);
+      for (int p = 0; p < C.pixels_per_clock; ++p) {
+         const auto& pixel = refinement.pixel[stage][p];
+         const auto visit_member = [&](const char* member, auto value) {
+            visit_value(visit, name + "_" + member + "_" + std::to_string(p), value);
+         };
+         visit_member("disparity", pixel.disparity);
+         visit_member("passed", pixel.passed);
+         visit_member("cost", pixel.cost);
+         visit_member("gap", pixel.gap);
+         visit_member("alone", pixel.alone);
+         visit_member("scaled_gap", pixel.scaled_gap);
+         visit_member("scaled_cost", pixel.scaled_cost);
+         visit_member("remainder", pixel.remainder);
+         visit_member("divisor", pixel.divisor);
+         visit_member("quotient", pixel.quotient);
+         visit_member("negative", pixel.negative);
+         visit_member("fraction", pixel.fraction);
+      }
+      visit_tag(visit, name + "_tag", refinement.tag[stage]);
+   }
+}
+
+template <class Visit, const StereoConfig& C>
+void visit_winners(Visit& visit, const std::string& name, const Winners<C>& winners) {
+   visit_array(visit, name + "_disparity", winners.disparity);
+   visit_array(visit, name + "_fraction", winners.fraction);
+   visit_array(visit, name + "_passed", winners.passed);
+   visit_tag(visit, name + "_tag", winners.tag);
+}
+
+template <class Visit>
+void visit_left_right(Visit&, const Absent&) {}
+template <class Visit, const StereoConfig& C>
+void visit_left_right(Visit& visit, const LeftRightCheck<C>& check) {
+   visit_array(visit, "leftright_other", check.other);
+   visit_value(visit, "leftright_read_address", check.read_address);
+   visit_value(visit, "leftright_write_address", check.write_address);
+   visit_value(visit, "leftright_position", check.position);
+   visit_array(visit, "leftright_held", check.held);
+   visit_value(visit, "leftright_held_position", check.held_position);
+   visit_value(visit, "leftright_held_valid", check.held_valid);
+   visit_array(visit, "leftright_address", check.address);
+   visit_winners(visit, "leftright_asking", check.asking);
+   visit_array(visit, "leftright_found", check.found);
+   visit_winners(visit, "leftright_answered", check.answered);
+   visit_winners(visit, "leftright_checked", check.checked);
+}
+
+/// `Place` is that of a Median.
+template <class Visit, class Place>
+void visit_median_place(Visit& visit, const std::string& name, const Place& place) {
+   visit_value(visit, name + "_column", place.column);
+   visit_value(visit, name + "_arrives", place.arrives);
+   visit_value(visit, name + "_behind", place.behind);
+   visit_value(visit, name + "_top", place.top);
+   visit_value(visit, name + "_bottom", place.bottom);
+   visit_value(visit, name + "_output", place.output);
+}
+
+template <class Visit, const StereoConfig& C>
+void visit_map_group(Visit& visit, const std::string& name, const MapGroup<C>& group) {
+   visit_array(visit, name + "_disparity", group.disparity);
+   visit_array(visit, name + "_passed", group.passed);
+   visit_value(visit, name + "_valid", group.valid);
+   visit_value(visit, name + "_start_of_frame", group.start_of_frame);
+   visit_value(visit, name + "_end_of_line", group.end_of_line);
+}
+
+template <class Visit>
+void visit_map_block(Visit&, const Absent&) {}
+template <class Visit, const StereoConfig& C>
+void visit_map_block(Visit& visit, const MapRegister<C>& map) {
+   visit_map_group(visit, "map_out", map.out);
+}
+template <class Visit, const StereoConfig& C>
+void visit_map_block(Visit& visit, const Median<C>& median) {
+   visit_counter(visit, "median_counter", median.counter);
+   visit_array(visit, "median_newest", median.newest);
+   visit_value(visit, "median_arrives", median.arrives);
+   visit_value(visit, "median_behind", median.behind);
+   visit_value(visit, "median_line_ended", median.line_ended);
+   visit_row_buffer(visit, "median_rows", median.rows);
+   visit_median_place(visit, "median_read", median.read);
+   visit_median_place(visit, "median_ready", median.ready);
+   visit_value(visit, "median_write_column", median.write_column);
+   visit_array(visit, "median_column", median.column);
+   visit_median_place(visit, "median_at", median.at);
+   visit_array(visit, "median_low", median.low);
+   visit_array(visit, "median_middle", median.middle);
+   visit_array(visit, "median_high", median.high);
+   visit_array(visit, "median_passed", median.passed);
+   visit_value(visit, "median_complete", median.complete);
+   visit_value(visit, "median_first", median.first);
+   visit_value(visit, "median_last", median.last);
+   visit_array(visit, "median_largest_low", median.largest_low);
+   visit_array(visit, "median_median_middle", median.median_middle);
+   visit_array(visit, "median_smallest_high", median.smallest_high);
+   visit_map_group(visit, "median_waiting", median.waiting);
+   visit_map_group(visit, "median_out", median.out);
+}
+
 }  // namespace register_names
 
-/// Calls visit(name, value) for each register in data-flow order; `value` is an int64_t. The part of a name before its
-/// first '_' is the block, which in slice number s (from 0, the highest disparities first) begins with "slice<s>".
-/// Where C.cost_clocks joins steps, registers between them are named too, though the hardware has only wires there.
+/// Calls visit(name, value, negative) for each register in data-flow order; `value` is a uint64_t, of a negative
+/// register in two's complement. The part of a name before its first '_' is the block, which in slice number s (from 0,
+/// in the order in which they get the pixels) begins with "slice<s>". Where C.cost_clocks joins steps, registers
+/// between them are named too, though the hardware has only wires there.
 template <const StereoConfig& C, class Visit>
 void for_each_register(const StereoCore<C>& core, Visit visit) {
    using namespace register_names;
+   visit_transform(visit, core.transform);
    visit_raster(visit, core.raster);
-   visit_reference(visit, core.reference);
+   visit_delay(visit, core.delay);
    visit_rows(visit, core.rows);
    visit_slices(visit, core.slices, 0);
+   visit_texture(visit, core.texture);
+   visit_refinement(visit, core.refinement);
+   visit_left_right(visit, core.left_right);
+   visit_map_block(visit, core.map_block);
 }
 
 }  // namespace stereo

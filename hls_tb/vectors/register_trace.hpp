@@ -22,7 +22,7 @@ void trace_core(const Stimulus& stimulus, std::ostream& out) {
    out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n'
        << "in_left_pixel in_right_pixel in_start_of_frame in_valid "
           "out_disparity out_pixel_valid out_disparity_valid out_disparity_start_of_frame out_disparity_end_of_line";
-   for_each_register(*core, [&out](const std::string& name, int64_t) { out << ' ' << name; });
+   for_each_register(*core, [&out](const std::string& name, uint64_t, bool) { out << ' ' << name; });
    out << '\n' << std::hex;
    for (const StereoInput& in : stimulus.clocks) {
       const StereoOutput shown = core->output();
@@ -31,9 +31,10 @@ void trace_core(const Stimulus& stimulus, std::ostream& out) {
       };
       out << word(in.left) << ' ' << word(in.right) << ' ' << in.start_of_frame << ' ' << in.valid << ' '
           << lane_word<uint16_t>(shown.disparity, C.pixels_per_clock, C.disparity_bits()) << ' '
-          << lane_word<bool>(shown.pixel_valid, C.pixels_per_clock, 1) << ' ' << shown.valid << ' ' << shown.start_of_frame << ' ' << shown.end_of_line;
-      for_each_register(*core, [&out](const std::string&, int64_t value) {
-         out << (value < 0 ? " -" : " ") << (value < 0 ? -value : value);
+          << lane_word<bool>(shown.pixel_valid, C.pixels_per_clock, 1) << ' ' << shown.valid << ' '
+          << shown.start_of_frame << ' ' << shown.end_of_line;
+      for_each_register(*core, [&out](const std::string&, uint64_t value, bool negative) {
+         out << (negative ? " -" : " ") << (negative ? ~value + 1 : value);
       });
       out << '\n';
       core->clock(in);

@@ -8,11 +8,9 @@ namespace {
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-/// Rows of the smallest crop that gives an output: the first one comes when the window around column 0 of the first
-/// group is complete.
+/// Rows of the smallest crop that gives an output.
 int least_rows(const StereoConfig& config) {
-   const int records = config.delay_groups() * config.width_px + config.disparities + config.radius_px();
-   return (records + config.width_px - 1) / config.width_px * config.pixels_per_clock;
+   return (config.groups_to_first_output() + config.width_px - 1) / config.width_px * config.pixels_per_clock;
 }
 
 void check(const std::string& name, const StereoConfig& config, const ImagePair& pair, const StimulusOptions& options,
@@ -85,7 +83,10 @@ Stimulus make_stimulus(const std::string& config_name, const StereoConfig& confi
    const RowRange rows = options.rows.value_or(RowRange{0, config.height_px});
    check(config_name, config, pair, options, rows);
    StimulusWriter writer(config.pixels_per_clock, options.stall_percent, options.seed);
-   for (int frame = 0; frame < options.frames; ++frame) writer.rows(pair, rows, frame % 2 == 1);
+   for (int frame = 0; frame < options.frames; ++frame) {
+      if (frame > 0) writer.gap(config);
+      writer.rows(pair, rows, frame % 2 == 1);
+   }
    if (rows.end - rows.first == config.height_px) writer.flush(config);
    writer.drain(latency_clocks);
    return {config_name, config.pixels_per_clock, std::move(writer.clocks)};

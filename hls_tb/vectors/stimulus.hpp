@@ -72,9 +72,9 @@ class StimulusWriter {
    void random_records(int count);
    void bubbles(int count);
    /// The random records that bring out the last rows of a frame.
-   void flush(const StereoConfig& config) {
-      random_records(config.delay_groups() * config.width_px + config.radius_px());
-   }
+   void flush(const StereoConfig& config) { random_records(config.flush_groups()); }
+   /// What must stand between two frames.
+   void gap(const StereoConfig& config) { random_records(config.gap_groups()); }
    /// Enough bubbles to empty the pipeline.
    void drain(int latency_clocks) { bubbles(latency_clocks + 4); }
 

@@ -80,7 +80,8 @@ std::string word_text(const Lane& lanes, int pixels, int lane_bits) {
 template <class Lanes>
 bool parse_word(std::string_view text, int pixels, int lane_bits, Lanes& lanes) {
    using Value = std::remove_cvref_t<decltype(lanes[0])>;
-   if (text.size() != std::size_t(pixels * lane_bits / 4) || text.find_first_not_of(kHexDigits) != std::string_view::npos)
+   if (text.size() != std::size_t(pixels * lane_bits / 4) ||
+       text.find_first_not_of(kHexDigits) != std::string_view::npos)
       return false;
    uint64_t word = 0;
    std::from_chars(text.data(), text.data() + text.size(), word, 16);
@@ -129,8 +130,7 @@ CoreOutput parse_output(const LineReader& reader, const std::string& line, int p
    }
    const auto flags = reader.number<unsigned>(fields[5]);
    const unsigned most = (4u << pixels) - 1;
-   if (flags > most)
-      reader.fail("flags are " + std::to_string(flags) + " but must be 0 ... " + std::to_string(most));
+   if (flags > most) reader.fail("flags are " + std::to_string(flags) + " but must be 0 ... " + std::to_string(most));
    CoreOutput output{.clock = reader.number<uint64_t>(fields[0]),
                      .x = reader.number<int>(fields[1]),
                      .y = reader.number<int>(fields[2]),
@@ -139,8 +139,8 @@ CoreOutput parse_output(const LineReader& reader, const std::string& line, int p
                      .end_of_line = (flags & 2) != 0};
    set_lanes<bool>(output.pixel_valid, flags >> 2, pixels, 1);
    if (!parse_word(fields[4], pixels, disparity_bits, output.disparity))
-      reader.fail("\"" + std::string(fields[4]) + "\" is not a word of " +
-                  std::to_string(pixels * disparity_bits / 4) + " hex digits");
+      reader.fail("\"" + std::string(fields[4]) + "\" is not a word of " + std::to_string(pixels * disparity_bits / 4) +
+                  " hex digits");
    return output;
 }
 
@@ -164,8 +164,8 @@ void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
 void write_expected(std::ostream& out, const Expected& expected) {
    const int pixels = expected.pixels_per_clock;
    out << "stereo-hls expected 2 config=" << expected.config << " pixels=" << pixels
-       << " disparity_bits=" << expected.disparity_bits
-       << " outputs=" << expected.outputs.size() << " latency=" << expected.latency_clocks << '\n';
+       << " disparity_bits=" << expected.disparity_bits << " outputs=" << expected.outputs.size()
+       << " latency=" << expected.latency_clocks << '\n';
    for (const CoreOutput& output : expected.outputs)
       out << output.clock << ' ' << output.x << ' ' << output.y << ' ' << output.frame << ' '
           << word_text(output.disparity, pixels, expected.disparity_bits) << ' '

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from . import bambu, manifest
 from .rtl.lowering import lower, state_sequence
+from .rtl.netlist import join_memory_slices
 from .rtl.naming import name_registers, read_trace
 from .rtl.ranges import narrow_memories, narrow_registers
 from .rtl.vhdl_reader import read_design
@@ -32,6 +33,7 @@ def netlist_of(config, parameters, design, work):
     netlist = lower(design)
     clocks = TRACE_ROWS * parameters["width_px"]
     narrow_memories(netlist)
+    join_memory_slices(netlist)
     run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)
     named = name_registers(netlist, read_trace(work / "trace.txt"))
     narrow_registers(netlist)

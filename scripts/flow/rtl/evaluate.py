@@ -8,7 +8,7 @@ _TEXT = {
     "positive": "max({0}, 0)", "mux": "({1} if {0} else {2})", "lt": "int({0} < {1})", "ge": "int({0} >= {1})",
     "eq": "int({0} == {1})", "ne": "int({0} != {1})", "not": "(1 - {0})", "shl": "({0} << {p})", "shr": "({0} >> {p})",
 }
-_JOIN = {"add": " + ", "and": " & ", "or": " | ", "xor": " ^ "}
+_JOIN = {"add": " + ", "mul": " * ", "and": " & ", "or": " | ", "xor": " ^ "}
 
 
 def _text(node, names):

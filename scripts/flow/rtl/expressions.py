@@ -89,6 +89,8 @@ class Writer:
             return f"({text})"
         if node.op == "sub":
             return f"({self.number(node.args[0])} - {self.number(node.args[1])})"
+        if node.op == "mul":
+            return f"({self.number(node.args[0])} * {self.number(node.args[1])})"
         if node.op in FUNCTIONS:
             return f"{FUNCTIONS[node.op]}({without_outer_parentheses(self.number(node.args[0]))})"
         if node.op == "shl":

@@ -171,6 +171,18 @@ def positive(a):
     return const(0) if a.high <= 0 else _node("positive", (a,), None, 0, a.high)
 
 
+def mul(a, b):
+    if is_const(a):
+        a, b = b, a
+    if is_const(b):
+        if b.param == 0:
+            return b
+        if b.param > 0 and b.param & (b.param - 1) == 0:
+            return shift_left(a, b.param.bit_length() - 1)
+    ends = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
+    return _node("mul", (a, b), None, 0 if a is b and min(ends) < 0 else min(ends), max(ends))
+
+
 def shift_left(a, count):
     if count == 0 or is_const(a, 0):
         return a
@@ -476,7 +488,7 @@ def rebuild(node, replacement, done):
 
 def _again(node, args):
     make = {
-        "wrap": lambda a: wrap(a, *node.param), "add": add, "sub": sub, "abs": absolute, "folded": folded, "positive": positive, "mux": mux, "lt": less, "eq": equal,
+        "wrap": lambda a: wrap(a, *node.param), "add": add, "sub": sub, "mul": mul, "abs": absolute, "folded": folded, "positive": positive, "mux": mux, "lt": less, "eq": equal,
         "shl": lambda a: shift_left(a, node.param), "shr": lambda a: shift_right(a, node.param), "not": bit_not,
         "ge": lambda a, b: bit_not(less(a, b)), "ne": lambda a, b: bit_not(equal(a, b)),
     }
@@ -487,6 +499,33 @@ def _again(node, args):
     if node.param is None:
         return {"and": bit_and, "or": bit_or}[node.op](*args)
     return bitwise(node.op, *args)
+
+
+def join_memory_slices(netlist):
+    """Where registers take parts of a memory's data, one register takes the whole word and they become parts of it."""
+    for memory in netlist.memories:
+        parts = {}
+        for register in netlist.registers:
+            place = _slice_of(register.next, memory.data)
+            if place is not None:
+                parts[id(register.value)] = (register, place)
+        if not parts or all(register.next is memory.data for register, _ in parts.values()):
+            continue
+        initial = 0
+        for register, low in parts.values():
+            initial |= register.initial << low
+        whole = Register(f"{memory.name}_word", leaf("register", f"{memory.name}_word", memory.width), initial, memory.data)
+        netlist.registers = [r for r in netlist.registers if id(r.value) not in parts] + [whole]
+        netlist.substitute({key: wrap(shift_right(whole.value, low), register.value.width) for key, (register, low) in parts.items()})
+
+
+def _slice_of(node, word):
+    """The lowest bit of the part of `word` that the node is, else None."""
+    if node.op == "wrap" and not node.param[1]:
+        node = node.args[0]
+    if node is word:
+        return 0
+    return node.param if node.op == "shr" and node.args[0] is word else None
 
 
 def merge_twins(netlist):

@@ -6,7 +6,7 @@ types of the connected signals, so a rule serves the signed and the unsigned var
 """
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from .netlist import (absolute, add, bit_not, bit_or, bit_and, bitwise, const, equal, is_const, less, mux, shift_left, shift_right,
+from .netlist import (absolute, add, bit_not, bit_or, bit_and, bitwise, const, equal, is_const, less, mul, mux, shift_left, shift_right,
                       sub, wrap)
 
 
@@ -84,6 +84,7 @@ def _rules():
     either = {
         "plus": lambda c: add(c["in1"], c["in2"]),
         "minus": lambda c: sub(c["in1"], c["in2"]),
+        "mult": lambda c: mul(c["in1"], c["in2"]),
         "pointer_plus": lambda c: add(c["in1"], c["in2"]),
         "ternary_plus": lambda c: add(c["in1"], c["in2"], c["in3"]),
         "ternary_pm": lambda c: sub(add(c["in1"], c["in2"]), c["in3"]),

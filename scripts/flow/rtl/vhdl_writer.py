@@ -64,7 +64,7 @@ HELPERS = """\
     return '0';
   end function;
 """
-_VARIABLE_KINDS = {"lt": "is_less", "ge": "is_not_less", "eq": "is_equal", "ne": "differs", "add": "sum", "sub": "difference",
+_VARIABLE_KINDS = {"lt": "is_less", "ge": "is_not_less", "eq": "is_equal", "ne": "differs", "add": "sum", "sub": "difference", "mul": "product",
                    "mux": "choice", "and": "all", "or": "any", "not": "inverse", "abs": "magnitude", "folded": "folded_value", "positive": "positive_value"}
 
 
