@@ -94,7 +94,6 @@ cv::Mat_<short> stereo_bm(const ImagePair& pair, const BmOptions& options) {
 struct Differences {
    int compared = 0, valid = 0, differing = 0;
    int first_x = -1, first_y = -1;  ///< of those that differ
-   int lowest_y = -1;
 };
 
 /// Over the pixels whose windows lie in the images for every disparity: the others StereoBM leaves invalid.
@@ -113,16 +112,15 @@ Differences compare_inside(const ImagePair& pair, const BmOptions& options) {
          ++result.compared;
          result.valid += valid ? 1 : 0;
          if (expected == got) continue;
-         if (++result.differing == 1) {
-            result.first_x = x;
-            result.first_y = y;
-         }
-         result.lowest_y = y;
+         if (++result.differing > 1) continue;
+         result.first_x = x;
+         result.first_y = y;
       }
    return result;
 }
 
-void expect_same(const ImagePair& pair, const BmOptions& options) {
+/// Returns how many percent of the compared pixels are valid.
+int expect_same(const ImagePair& pair, const BmOptions& options) {
    const Differences result = compare_inside(pair, options);
    EXPECT_GT(result.compared, 0);
    EXPECT_EQ(result.differing, 0) << "of " << result.compared << ", first x=" << result.first_x
@@ -130,7 +128,7 @@ void expect_same(const ImagePair& pair, const BmOptions& options) {
                                   << " B=" << options.window_px << " uniqueness=" << options.uniqueness_percent
                                   << " texture=" << options.texture_threshold << " m=" << options.min_disparity
                                   << " cap=" << options.cap;
-   std::cout << "compared " << result.compared << " valid " << result.valid << '\n';
+   return 100 * result.valid / std::max(result.compared, 1);
 }
 
 const BmOptions kSomeOptions[] = {{},
@@ -155,9 +153,13 @@ ImagePair even_rows(ImagePair pair) {
 }
 
 TEST(OpenCv, StereoBmIsTheSameOnScenes) {
-   for (const BmOptions& options : kSomeOptions)
-      for (const uint64_t seed : {test_seed(), test_seed() + 1})
-         expect_same(make_scene({.width = 256, .height = 120, .disparities = 64, .seed = seed}).images, options);
+   for (const uint64_t seed : {test_seed(), test_seed() + 1}) {
+      const ImagePair pair = make_scene({.width = 256, .height = 120, .disparities = 64, .seed = seed}).images;
+      for (const BmOptions& options : kSomeOptions) expect_same(pair, options);
+      const int valid_percent = expect_same(pair, {});
+      EXPECT_GT(valid_percent, 30);
+      EXPECT_LT(valid_percent, 100);
+   }
 }
 
 TEST(OpenCv, StereoBmIsTheSameOnImagesFullOfTies) {
@@ -179,6 +181,33 @@ TEST(OpenCv, StereoBmIsTheSameOnARealPair) {
       GTEST_SKIP() << "SKIP: the stereo pair teddy is missing; set STEREO_DATA to the folder that holds teddy/left.png";
    const ImagePair pair = even_rows(app::load_pair(folder / "left.png", folder / "right.png"));
    for (const BmOptions& options : kSomeOptions) expect_same(pair, options);
+   EXPECT_GT(expect_same(pair, {}), 80) << "percent of the pixels are valid";
+}
+
+// White and black ramps against each other: every filtered difference is the largest there is.
+TEST(OpenCv, StereoBmIsTheSameAtTheLargestCosts) {
+   ImagePair ramps{GrayImage(64, 60), GrayImage(64, 60)};
+   for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 64; ++x) {
+         ramps.left.at(x, y) = uint8_t(4 * x);
+         ramps.right.at(x, y) = uint8_t(252 - 4 * x);
+      }
+   for (const int percent : {0, 15, 50, 100})
+      expect_same(ramps, {.disparities = 16, .window_px = 21, .uniqueness_percent = percent});
+}
+
+TEST(OpenCv, StereoBmIsTheSameWithDisparitiesFarFromZero) {
+   for (const int min_disparity : {-120, -80, -64, -63, 60, 100})
+      expect_same(random_pair(250, 60, test_seed(), 4), {.uniqueness_percent = 3, .min_disparity = min_disparity});
+}
+
+TEST(OpenCv, StereoBmLeavesTheLastOfAnOddNumberOfRowsUnfiltered) {
+   for (const int window : {5, 15}) {
+      const BmOptions options{.window_px = window, .uniqueness_percent = 0, .texture_threshold = 0};
+      const Differences odd = compare_inside(random_pair(200, 61, test_seed()), options);
+      EXPECT_GT(odd.differing, 0) << "OpenCV has changed: docs/algorithm.md says that these differ";
+      EXPECT_EQ(odd.first_y, 60 - window / 2) << "only windows that reach the last row differ";
+   }
 }
 
 #else
