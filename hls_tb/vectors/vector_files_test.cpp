@@ -18,8 +18,7 @@ const std::string kExpected =
 const std::string kStimulusOfFour =
     "stereo-hls stimulus 1 config=tiny_p4 pixels=4 clocks=2\n3 0d0c0b0a ff000180\n0 00000000 12345678\n";
 const std::string kExpectedOfTwo =
-    "stereo-hls expected 2 config=tiny_p2 pixels=2 disparity_bits=16 outputs=2 latency=10\n50 0 2 0 0fff0001 1\n51 1 2 "
-    "0 07000000 10\n";
+    "stereo-hls expected 2 config=tiny_p2 pixels=2 disparity_bits=16 outputs=2 latency=10\n50 0 2 0 0fff0001 1\n51 1 2 0 07000000 10\n";
 
 Stimulus stimulus_of(const std::string& text) {
    std::istringstream in(text);
@@ -65,8 +64,7 @@ TEST(VectorFiles, ReadsExpectedOutputs) {
    ASSERT_EQ(expected.outputs.size(), 2u);
    const CoreOutput first{.clock = 50, .x = 0, .y = 0, .frame = 0, .disparity = {255}, .start_of_frame = true};
    EXPECT_EQ(expected.outputs[0], first);
-   const CoreOutput second{
-       .clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = {7}, .pixel_valid = {true}, .end_of_line = true};
+   const CoreOutput second{.clock = 51, .x = 1, .y = 0, .frame = 0, .disparity = {7}, .pixel_valid = {true}, .end_of_line = true};
    EXPECT_EQ(expected.outputs[1], second);
 }
 
@@ -150,8 +148,7 @@ TEST(VectorFiles, RefusesDamagedExpectedOutputs) {
        {{"empty", "", "expected.txt:1: the file ends"},
         {"other format", kStimulus, "expected.txt:1: the first line must begin with"},
         {"no latency", replaced(kExpected, " latency=10", ""), "expected.txt:1: "},
-        {"count too large", replaced(kExpected, "outputs=2", "outputs=3"),
-         "expected.txt:4: the file ends where output 2 of 3"},
+        {"count too large", replaced(kExpected, "outputs=2", "outputs=3"), "expected.txt:4: the file ends where output 2 of 3"},
         {"count too small", replaced(kExpected, "outputs=2", "outputs=1"), "expected.txt:3: more lines"},
         {"negative count", replaced(kExpected, "outputs=2", "outputs=-2"), "expected.txt:1: "},
         {"a number less", replaced(kExpected, "50 0", "50"), "expected.txt:2: "},
