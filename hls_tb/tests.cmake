@@ -26,6 +26,8 @@ gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit T
 # The models alone: they build in a fraction of the core's time.
 add_executable(
   stereo_model_tests
+  app/images_test.cpp
+  app/truth_test.cpp
   models/fast_model_test.cpp
   models/matching_test.cpp
   models/opencv_stereo_bm_test.cpp
@@ -75,4 +77,5 @@ add_test(NAME stereo_config_rejects.nothing_right
 set_tests_properties(stereo_config_rejects.nothing_right PROPERTIES LABELS unit)
 
 stereo_add_pytest(NAME stereo_hls_cli FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_cli_test.py" LABELS unit)
+stereo_add_pytest(NAME stereo_hls_match FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_match_test.py" LABELS unit)
 stereo_add_pytest(NAME run_pytest FILE "${CMAKE_CURRENT_SOURCE_DIR}/support/run_pytest_test.py" LABELS unit)
