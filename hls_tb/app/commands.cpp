@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "app/errors.hpp"
+#include "app/options_json.hpp"
 #include "app/output_folder.hpp"
+#include "vectors/matching_parameters.hpp"
 #include "vectors/vector_files.hpp"
 
 namespace stereo::app {
@@ -33,21 +35,22 @@ std::string text_of(const Content& content, Writer write) {
 
 nlohmann::json as_json(const Configuration& entry) {
    const StereoConfig& config = entry.config;
-   return {{"width_px", config.width_px},
-           {"height_px", config.height_px},
-           {"disparities", config.disparities},
-           {"window_px", config.window_px},
-           {"pixels_per_clock", config.pixels_per_clock},
-           {"slice_disparities", config.slice_disparities},
-           {"cost_clocks", config.cost_clocks},
-           {"winner_group", config.winner_group},
-           {"disparity_bits", config.disparity_bits()},
-           {"output_width_px", config.output_width_px()},
-           {"output_height_px", config.output_height_px()},
-           {"latency_clocks", entry.latency_clocks},
-           {"groups_to_first_output", config.groups_to_first_output()},
-           {"flush_groups", config.flush_groups()},
-           {"gap_groups", config.gap_groups()}};
+   nlohmann::json json = options_json(matching_parameters(config));
+   json.update({{"width_px", config.width_px},
+                {"height_px", config.height_px},
+                {"pixels_per_clock", config.pixels_per_clock},
+                {"aggregation", config.aggregation == Aggregation::recursive ? "recursive" : "direct"},
+                {"slice_disparities", config.slice_disparities},
+                {"cost_clocks", config.cost_clocks},
+                {"winner_group", config.winner_group},
+                {"disparity_bits", config.disparity_bits()},
+                {"output_width_px", config.output_width_px()},
+                {"output_height_px", config.output_height_px()},
+                {"latency_clocks", entry.latency_clocks},
+                {"groups_to_first_output", config.groups_to_first_output()},
+                {"flush_groups", config.flush_groups()},
+                {"gap_groups", config.gap_groups()}});
+   return json;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/errors.hpp"
+#include "app/options_json.hpp"
 #include "app/output_folder.hpp"
 #include "app/overview.hpp"
 #include "app/truth.hpp"
@@ -61,26 +62,6 @@ DisparityMap match_clocked(const ImagePair& pair, const Configuration& configura
 }
 
 const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
-
-const char* cost_word(Cost cost) { return cost == Cost::sad ? "sad" : cost == Cost::ssd ? "ssd" : "census"; }
-
-nlohmann::json options_json(const MatchingParameters& options) {
-   return {{"disparities", options.disparities},
-           {"window_px", options.window_px},
-           {"min_disparity", options.min_disparity},
-           {"reference", reference_word(options.reference)},
-           {"cost", cost_word(options.cost)},
-           {"census_width_px", options.census_width_px},
-           {"census_height_px", options.census_height_px},
-           {"prefilter", options.prefilter == Prefilter::xsobel ? "xsobel" : "none"},
-           {"prefilter_cap", options.prefilter_cap},
-           {"ties", options.ties == Ties::largest ? "largest" : "smallest"},
-           {"left_right_threshold", options.left_right_threshold},
-           {"uniqueness_percent", options.uniqueness_percent},
-           {"texture_threshold", options.texture_threshold},
-           {"subpixel", options.subpixel},
-           {"median", options.median}};
-}
 
 /// Share of the map's pixels that are valid.
 double density(const DisparityMap& map) {
