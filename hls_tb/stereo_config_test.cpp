@@ -19,7 +19,7 @@ TEST(StereoConfig, AmbroschIsThePapersConfiguration) {
    EXPECT_EQ(C.window_px, 3);
    EXPECT_EQ(C.output_width_px(), 220);
    EXPECT_EQ(C.output_height_px(), 240);
-   EXPECT_EQ(C.largest_sad(), 9 * 255);
+   EXPECT_EQ(C.largest_window_cost(), 9 * 255);
 }
 
 /// By definition: the lowest window of a group of P rows ends r rows below it; all of them cover P + 2r rows, of which
