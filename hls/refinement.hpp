@@ -91,7 +91,6 @@ struct Refinement {
    HLS_INLINE void clock(const Slice& last, const TextureBlock& texture) {
       if constexpr (kClocks > 0) {
          if constexpr (C.subpixel) divide();
-         if constexpr (C.has_uniqueness_check()) scale();
          HLS_UNROLL
          for (int stage = kStages - 1; stage > 0; --stage) {
             tag[stage] = tag[stage - 1];
@@ -102,7 +101,10 @@ struct Refinement {
                passed[stage][p] = passed[stage - 1][p] && unique;
             }
          }
-         if constexpr (C.has_uniqueness_check()) take_second(last);
+         if constexpr (C.has_uniqueness_check()) {
+            scale();
+            take_second(last);
+         }
          if constexpr (C.subpixel) take_neighbours(last);
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
