@@ -184,6 +184,8 @@ def positive(a):
 def mul(a, b):
     if is_const(a):
         a, b = b, a
+    if is_const(a):
+        return const(a.param * b.param)
     if is_const(b):
         if b.param == 0:
             return b
