@@ -72,6 +72,7 @@ architecture rtl of stereo_core is
   signal in_right_pixel : natural range 0 to 65535;
   -- raster
   signal raster_search_0, raster_search_1 : natural range 0 to 255;
+  signal raster_reference_words_0 : natural range 0 to 65535;
   signal raster_valid : boolean;
   signal raster_column : natural range 0 to 31;
   signal raster_group : natural range 0 to 15;
@@ -289,8 +290,6 @@ architecture rtl of stereo_core is
   signal slice2best_index_0_0, slice2best_index_1_0 : natural range 0 to 7;
   signal slice2best_tag_valid, slice2best_tag_output_column, slice2best_tag_start_of_frame : boolean;
   signal slice2best_tag_end_of_line : boolean;
-  -- other
-  signal other_0 : natural range 0 to 65535;
   signal slice2window_leaving_1_memory_write_data : unsigned(23 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(23 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(23 downto 0);
@@ -475,7 +474,7 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= to_unsigned(other_0, 16);
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_reference_words_0, 16);
   delay_delayed_0_memory : entity work.line_memory
     generic map (depth => 8, width => 16)
     port map (
@@ -523,6 +522,7 @@ begin
       -- raster
       raster_search_0 <= in_left_pixel mod 256;
       raster_search_1 <= in_left_pixel / 256;
+      raster_reference_words_0 <= in_right_pixel;
       raster_valid <= in_valid;
       raster_group <= 0 when in_start_of_frame and in_valid else (raster_group + as_number(((raster_group /= 8) and
         in_valid and (raster_column = 31)))) mod 16;
@@ -1194,8 +1194,6 @@ begin
       slice2best_tag_output_column <= slice1best_tag_output_column;
       slice2best_tag_start_of_frame <= slice1best_tag_start_of_frame;
       slice2best_tag_end_of_line <= slice1best_tag_end_of_line;
-      -- other
-      other_0 <= in_right_pixel;
       if reset = '1' then
         raster_valid <= false;
         raster_column <= 0;
