@@ -98,7 +98,7 @@ struct CheckBench {
       const int shown = pipeline.front();
       pipeline.pop_front();
       ASSERT_EQ(block.checked.tag.valid, shown >= 0);
-      if (shown >= D - 1) ASSERT_NO_FATAL_FAILURE(compare(std::size_t(shown - (D - 1))));
+      if (shown >= D - 1) compare(std::size_t(shown - (D - 1)));
    }
 
    void compare(std::size_t n) {
@@ -112,7 +112,8 @@ struct CheckBench {
          ASSERT_EQ(block.checked.disparity[p], expected.disparity[p]) << "record " << n << " lane " << p;
          ASSERT_EQ(block.checked.fraction[p], expected.fraction[p]) << "record " << n << " lane " << p;
          ASSERT_EQ(block.checked.passed[p], passes(n, p)) << "record " << n << " lane " << p;
-         if (expected.passed[p]) (passes(n, p) ? consistent : inconsistent) += 1;
+         if (!expected.passed[p]) continue;
+         (passes(n, p) ? consistent : inconsistent) += 1;
       }
    }
 };

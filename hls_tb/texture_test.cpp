@@ -97,7 +97,7 @@ struct TextureBench {
 
 TYPED_TEST(TextureTest, PassesFromTheThresholdOnInStepWithTheWinners) {
    TextureBench<TypeParam::kConfig> bench;
-   for (int clock = 0; clock < 5000 && !::testing::Test::HasFatalFailure(); ++clock) bench.clock();
+   for (int clock = 0; clock < 20000 && !::testing::Test::HasFatalFailure(); ++clock) bench.clock();
    for (const int count : {bench.below, bench.at, bench.above}) EXPECT_GT(count, 20);
 }
 

@@ -154,7 +154,9 @@ TYPED_TEST(TransformTest, FramesBackToBackAndApart) {
       StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
       for (std::size_t i = 0; i < pairs.size(); ++i) {
          writer.rows(pairs[i], {0, C.height_px});
-         const int lengths[] = {0, 0, kWaits<C>, 5 * kWaits<C> + 1};
+         // Frames follow at once where they are higher than the rows that a transform waits for.
+         const int least = C.row_groups() > C.transform_groups() ? 0 : kWaits<C>;
+         const int lengths[] = {least, least, kWaits<C>, 5 * kWaits<C> + 1};
          if (i + 1 < pairs.size()) writer.random_records(lengths[i % 4]);
       }
       writer.random_records(kWaits<C>);
