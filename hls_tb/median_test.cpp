@@ -148,7 +148,7 @@ TYPED_TEST(MedianTest, AStartOfFrameRestartsAtAnyPlace) {
       bench.send_records(1 + bench.random.below(C.width_px * C.row_groups() - 1));
       // A new frame starts with a new row of the stream: the core's counters see to that.
       const DisparityMap sent = bench.send_frame();
-      bench.send_flush(C.width_px);
+      bench.send_flush(C.width_px + 1);
       bench.drain();
       std::vector<CoreOutput> last;
       for (const CoreOutput& output : bench.outputs) {
