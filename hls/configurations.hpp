@@ -28,6 +28,119 @@ inline constexpr StereoConfig tiny_p2{
 inline constexpr StereoConfig tiny_p4{
     .width_px = 32, .height_px = 12, .disparities = 8, .pixels_per_clock = 4, .slice_disparities = 3};
 
+// clang-format off
+/// Systems that the paper compares itself with (its table 2), one pixel pair a clock. Niitsuma and Maruyama:
+/// 640x480 and 320x240, 7x7.
+inline constexpr StereoConfig niitsuma_640{
+    .width_px = 640, .height_px = 480, .disparities = 27, .window_px = 7, .aggregation = Aggregation::recursive,
+    .slice_disparities = 14};
+inline constexpr StereoConfig niitsuma_320{
+    .width_px = 320, .height_px = 240, .disparities = 121, .window_px = 7, .aggregation = Aggregation::recursive};
+/// Lee et al.: 16x16.
+inline constexpr StereoConfig lee_320{
+    .width_px = 320, .height_px = 240, .disparities = 64, .window_px = 16, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+/// Miyajima and Maruyama: 7x7.
+inline constexpr StereoConfig miyajima_640{
+    .width_px = 640, .height_px = 480, .disparities = 200, .window_px = 7, .aggregation = Aggregation::recursive};
+/// Yi et al.: SAD, the window is not stated; 9x9 here.
+inline constexpr StereoConfig yi_270{
+    .width_px = 270, .height_px = 270, .disparities = 34, .window_px = 9, .aggregation = Aggregation::recursive,
+    .slice_disparities = 17};
+/// Han et al.: SAD, the window is not stated; 9x9 here.
+inline constexpr StereoConfig han_640{
+    .width_px = 640, .height_px = 480, .disparities = 128, .window_px = 9, .aggregation = Aggregation::recursive};
+/// DeepSea (Woodfill et al.): census; its windows are 7x7 here.
+inline constexpr StereoConfig deepsea_512{
+    .width_px = 512, .height_px = 480, .disparities = 52, .window_px = 7, .cost = Cost::census, .census_width_px =
+    7, .census_height_px = 7, .aggregation = Aggregation::recursive, .slice_disparities = 13};
+/// OpenCV's StereoBM with block 15 and 64 disparities, at the size of the Middlebury pair Teddy.
+inline constexpr StereoConfig opencv_bm{
+    .width_px = 450, .height_px = 375, .disparities = 64, .window_px = 15, .reference = Reference::left,
+    .prefilter = Prefilter::xsobel, .ties = Ties::largest, .uniqueness_percent = 15, .texture_threshold = 10,
+    .subpixel = true, .aggregation = Aggregation::recursive, .slice_disparities = 16};
+
+/// What one option costs: each beside `study`, which has none (docs/features.md).
+inline constexpr StereoConfig study{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16};
+inline constexpr StereoConfig study_p2{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .pixels_per_clock = 2,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_p4{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .pixels_per_clock = 4,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_w3{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 3, .slice_disparities = 16};
+inline constexpr StereoConfig study_w7{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 7, .slice_disparities = 16};
+inline constexpr StereoConfig study_w9{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 9, .slice_disparities = 16};
+inline constexpr StereoConfig study_recursive{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_w3_recursive{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 3, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_w7_recursive{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 7, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_w9_recursive{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 9, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_w15_recursive{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 15, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_w21_recursive{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 21, .aggregation = Aggregation::recursive,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_left{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .reference = Reference::left,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_min8{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .min_disparity = 8, .slice_disparities =
+    16};
+inline constexpr StereoConfig study_ssd{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .cost = Cost::ssd, .slice_disparities =
+    16};
+inline constexpr StereoConfig study_census{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .cost = Cost::census, .slice_disparities
+    = 16};
+inline constexpr StereoConfig study_left_right{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .left_right_threshold = 1,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_uniqueness{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .uniqueness_percent = 15,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_xsobel{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .prefilter = Prefilter::xsobel,
+    .slice_disparities = 16};
+inline constexpr StereoConfig study_texture{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .prefilter = Prefilter::xsobel,
+    .texture_threshold = 60, .slice_disparities = 16};
+inline constexpr StereoConfig study_subpixel{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .subpixel = true, .slice_disparities =
+    16};
+inline constexpr StereoConfig study_median{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .median = true, .slice_disparities = 16};
+inline constexpr StereoConfig study_all{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .prefilter = Prefilter::xsobel,
+    .left_right_threshold = 1, .uniqueness_percent = 15, .texture_threshold = 60, .subpixel = true, .median =
+    true, .slice_disparities = 16};
+inline constexpr StereoConfig study_cost2{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16, .cost_clocks =
+    2};
+inline constexpr StereoConfig study_cost1{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16, .cost_clocks =
+    1};
+inline constexpr StereoConfig study_group4{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16, .winner_group =
+    4};
+inline constexpr StereoConfig study_slice8{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 8};
+inline constexpr StereoConfig study_slice32{
+    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 32};
+// clang-format on
+
 // One option after the other, alone and together, at a size that a test can afford.
 // clang-format off
 inline constexpr StereoConfig tiny_w2{
@@ -187,10 +300,23 @@ inline constexpr StereoConfig tiny_all_recursive{
    CALL(tiny_texture_recursive) CALL(tiny_subpixel) CALL(tiny_subpixel_left_p2) CALL(tiny_median) \
    CALL(tiny_median_p2) CALL(tiny_median_left_subpixel) CALL(tiny_all) CALL(tiny_all_left_p2) CALL(tiny_all_p4) \
    CALL(tiny_all_recursive)
+#define STEREO_SYSTEM_CONFIGURATIONS(CALL) \
+   CALL(niitsuma_640) CALL(niitsuma_320) CALL(lee_320) CALL(miyajima_640) CALL(yi_270) CALL(han_640) \
+   CALL(deepsea_512) CALL(opencv_bm)
+#define STEREO_STUDY_CONFIGURATIONS_A(CALL) \
+   CALL(study) CALL(study_p2) CALL(study_p4) CALL(study_w3) CALL(study_w7) CALL(study_w9) CALL(study_recursive) \
+   CALL(study_w3_recursive) CALL(study_w7_recursive) CALL(study_w9_recursive) CALL(study_w15_recursive) \
+   CALL(study_w21_recursive) CALL(study_left) CALL(study_min8)
+#define STEREO_STUDY_CONFIGURATIONS_B(CALL) \
+   CALL(study_ssd) CALL(study_census) CALL(study_left_right) CALL(study_uniqueness) CALL(study_xsobel) \
+   CALL(study_texture) CALL(study_subpixel) CALL(study_median) CALL(study_all) CALL(study_cost2) \
+   CALL(study_cost1) CALL(study_group4) CALL(study_slice8) CALL(study_slice32)
 
 /// Calls the macro CALL(name) for each named configuration.
 #define STEREO_FOR_EACH_CONFIGURATION(CALL) \
-   STEREO_PAPER_CONFIGURATIONS(CALL) STEREO_TINY_CONFIGURATIONS(CALL) STEREO_OPTION_CONFIGURATIONS_A(CALL) \
+   STEREO_PAPER_CONFIGURATIONS(CALL) STEREO_TINY_CONFIGURATIONS(CALL) STEREO_SYSTEM_CONFIGURATIONS(CALL) \
+   STEREO_STUDY_CONFIGURATIONS_A(CALL) STEREO_STUDY_CONFIGURATIONS_B(CALL) \
+   STEREO_OPTION_CONFIGURATIONS_A(CALL) \
    STEREO_OPTION_CONFIGURATIONS_B(CALL) STEREO_OPTION_CONFIGURATIONS_C(CALL) \
    STEREO_OPTION_CONFIGURATIONS_D(CALL)
 // clang-format on

@@ -31,22 +31,38 @@ struct Refinement {
    static constexpr int kQuotientBits = 8;
    using Value = WindowCost<C>;
 
-   struct Pixel {
-      uint8_t disparity = 0;
-      bool passed = false;
-      // Uniqueness: 100 * (second - cost) > percent * cost.
-      Value cost = 0, gap = 0;
-      bool alone = false;  ///< there is no second
-      uint32_t scaled_gap = 0, scaled_cost = 0;
-      // Subpixel: |u - v| * 128 / max(u, v), highest bit first.
-      uint32_t remainder = 0;
-      Value divisor = 1;
-      uint8_t quotient = 0;
-      bool negative = false;
-      uint8_t fraction = 8;
-   };
-   Pixel pixel[kStages][kPixels];
+   // [stage][p]
+   uint8_t disparity[kStages][kPixels];
+   bool passed[kStages][kPixels];
    PixelTag tag[kStages];
+   // Uniqueness: 100 * (second - cost) > percent * cost.
+   Value cost[kPixels], gap[kPixels];                   // stage 0
+   bool alone[kUniquenessStage][kPixels];               ///< there is no second
+   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 1
+   // Subpixel: |u - v| * 128 / max(u, v), highest bit first.
+   Value remainder[kStages][kPixels], divisor[kStages][kPixels];
+   uint8_t quotient[kStages][kPixels];
+   bool negative[kStages][kPixels];
+   uint8_t fraction[kPixels];  // last stage
+
+   HLS_INLINE Refinement() {
+      HLS_UNROLL
+      for (int stage = 0; stage < kStages; ++stage) {
+         fill<uint8_t>(disparity[stage], 0);
+         fill(passed[stage], false);
+         fill<Value>(remainder[stage], 0);
+         fill<Value>(divisor[stage], 1);
+         fill<uint8_t>(quotient[stage], 0);
+         fill(negative[stage], false);
+      }
+      HLS_UNROLL
+      for (int stage = 0; stage < kUniquenessStage; ++stage) fill(alone[stage], false);
+      fill<Value>(cost, 0);
+      fill<Value>(gap, 0);
+      fill<uint32_t>(scaled_gap, 0);
+      fill<uint32_t>(scaled_cost, 0);
+      fill<uint8_t>(fraction, 8);
+   }
 
    /// `texture`: the block, or what stands for it.
    template <class Slice, class TextureBlock>
@@ -62,10 +78,9 @@ struct Refinement {
       } else {
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
-            const Pixel& done = pixel[kStages - 1][p];
-            winners.disparity[p] = done.disparity;
-            winners.passed[p] = done.passed;
-            winners.fraction[p] = done.fraction;
+            winners.disparity[p] = disparity[kStages - 1][p];
+            winners.passed[p] = passed[kStages - 1][p];
+            winners.fraction[p] = fraction[p];
          }
          winners.tag = tag[kStages - 1];
       }
@@ -75,14 +90,27 @@ struct Refinement {
    template <class Slice, class TextureBlock>
    HLS_INLINE void clock(const Slice& last, const TextureBlock& texture) {
       if constexpr (kClocks > 0) {
+         if constexpr (C.subpixel) divide();
+         HLS_UNROLL
+         for (int stage = kStages - 1; stage > 0; --stage) {
+            tag[stage] = tag[stage - 1];
+            HLS_UNROLL
+            for (int p = 0; p < kPixels; ++p) {
+               disparity[stage][p] = disparity[stage - 1][p];
+               const bool unique = stage != kUniquenessStage || is_unique(p);
+               passed[stage][p] = passed[stage - 1][p] && unique;
+            }
+         }
+         if constexpr (C.has_uniqueness_check()) {
+            scale();
+            take_second(last);
+         }
+         if constexpr (C.subpixel) take_neighbours(last);
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
-            HLS_UNROLL
-            for (int stage = kStages - 1; stage > 0; --stage) pixel[stage][p] = advanced(pixel[stage - 1][p], stage);
-            pixel[0][p] = started(last.best.get(p, 0), has_texture(texture, p));
+            disparity[0][p] = last.best.index[p][0];
+            passed[0][p] = has_texture(texture, p);
          }
-         HLS_UNROLL
-         for (int stage = kStages - 1; stage > 0; --stage) tag[stage] = tag[stage - 1];
          tag[0] = last.best_tag;
       }
    }
@@ -94,53 +122,67 @@ struct Refinement {
       else return true;
    }
 
-   static HLS_INLINE Pixel started(const Candidate<C>& best, bool passed) {
-      Pixel pixel;
-      pixel.disparity = best.index;
-      pixel.passed = passed;
-      if constexpr (C.has_uniqueness_check()) {
-         pixel.cost = best.cost;
-         pixel.gap = Value(best.second - best.cost);
-         pixel.alone = best.second == Candidate<C>::kNone;
+   template <class Slice>
+   HLS_INLINE void take_second(const Slice& last) {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const Candidate<C> best = last.best.get(p, 0);
+         cost[p] = best.cost;
+         gap[p] = Value(best.second - best.cost) & Value(kMask);
+         alone[0][p] = best.second == Candidate<C>::kNone;
       }
-      if constexpr (C.subpixel) {
+   }
+
+   HLS_INLINE void scale() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         alone[1][p] = alone[0][p];
+         scaled_gap[p] = uint32_t(gap[p]) * 100u;
+         scaled_cost[p] = uint32_t(cost[p]) * uint32_t(C.uniqueness_percent);
+      }
+   }
+
+   HLS_INLINE bool is_unique(int p) const {
+      return !C.has_uniqueness_check() || alone[1][p] || scaled_gap[p] > scaled_cost[p];
+   }
+
+   template <class Slice>
+   HLS_INLINE void take_neighbours(const Slice& last) {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const Candidate<C> best = last.best.get(p, 0);
          const bool lowest = best.index == 0, highest = best.index == C.disparities - 1;
          const Value below = select<Value>(lowest, best.above, best.below);
          const Value above = select<Value>(highest, best.below, best.above);
-         const Value u = Value(below - best.cost), v = Value(above - best.cost);
-         pixel.negative = u < v;
-         const Value larger = select<Value>(pixel.negative, v, u);
-         pixel.remainder = select<Value>(pixel.negative, Value(v - u), Value(u - v));
-         pixel.divisor = select<Value>(larger == 0, 1, larger);
+         const Value u = Value(below - best.cost) & Value(kMask), v = Value(above - best.cost) & Value(kMask);
+         const bool falls = u < v;
+         const Value larger = select<Value>(falls, v, u), smaller = select<Value>(falls, u, v);
+         remainder[0][p] = Value(larger - smaller) & Value(kMask);
+         divisor[0][p] = select<Value>(larger == 0, 1, larger);
+         negative[0][p] = falls;
       }
-      return pixel;
    }
 
-   static HLS_INLINE Pixel advanced(const Pixel& before, int stage) {
-      Pixel pixel = before;
-      if constexpr (C.has_uniqueness_check()) {
-         if (stage == kUniquenessStage - 1) {
-            pixel.scaled_gap = uint32_t(before.gap) * 100u;
-            pixel.scaled_cost = uint32_t(before.cost) * uint32_t(C.uniqueness_percent);
-         }
-         if (stage == kUniquenessStage)
-            pixel.passed = before.passed && (before.alone || before.scaled_gap > before.scaled_cost);
-      }
-      if constexpr (C.subpixel) {
-         if (stage <= kQuotientBits) {
-            const uint32_t remainder = stage == 1 ? before.remainder : before.remainder << 1;
-            const bool fits = remainder >= before.divisor;
-            pixel.remainder = select<uint32_t>(fits, remainder - before.divisor, remainder) & kMask;
-            pixel.quotient = uint8_t(before.quotient << 1 | uint8_t(fits));
-         } else {
-            pixel.fraction = select<uint8_t>(before.negative, uint8_t(8 - (before.quotient >> 4)),
-                                             uint8_t(8 + ((before.quotient + 15) >> 4)));
+   /// Stage s finds bit 8 - s of the quotient; the last stage rounds it.
+   HLS_INLINE void divide() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         const uint8_t sixteenths = quotient[kQuotientBits][p] >> 4;
+         const uint8_t rounded_up = uint8_t((quotient[kQuotientBits][p] + 15) >> 4);
+         fraction[p] = select<uint8_t>(negative[kQuotientBits][p], uint8_t(8 - sixteenths), uint8_t(8 + rounded_up));
+         HLS_UNROLL
+         for (int stage = kQuotientBits; stage > 0; --stage) {
+            const uint32_t left = stage == 1 ? remainder[0][p] : uint32_t(remainder[stage - 1][p]) << 1;
+            const bool fits = left >= divisor[stage - 1][p];
+            remainder[stage][p] = Value(select<uint32_t>(fits, left - divisor[stage - 1][p], left) & kMask);
+            quotient[stage][p] = stage == 1 ? uint8_t(fits) : uint8_t(quotient[stage - 1][p] << 1 | uint8_t(fits));
+            divisor[stage][p] = divisor[stage - 1][p];
+            negative[stage][p] = negative[stage - 1][p];
          }
       }
-      return pixel;
    }
 
-   static constexpr uint32_t kMask = (uint32_t(1) << bits_for(C.largest_window_cost())) - 1;
+   static constexpr uint32_t kMask = (uint32_t(1) << bits_for(C.largest_window_cost() + 1)) - 1;
 };
 
 }  // namespace stereo

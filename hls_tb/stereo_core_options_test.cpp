@@ -20,6 +20,8 @@ class StereoCoreOptionsTest : public ::testing::TestWithParam<std::size_t> {
 INSTANTIATE_TEST_SUITE_P(Named, StereoCoreOptionsTest, ::testing::Range(std::size_t(0), configuration_table().size()),
                          [](const auto& info) { return configuration_table()[info.param].name; });
 
+bool is_small(const StereoConfig& config) { return config.width_px <= 100; }
+
 DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
    return match_reference(pair.left, pair.right, matching_parameters(config));
 }
@@ -27,7 +29,7 @@ DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
 /// Of a large configuration only the scene.
 std::vector<NamedPair> pairs_for(const StereoConfig& config) {
    std::vector<NamedPair> pairs = test_pairs(config.width_px, config.height_px, config.disparities, test_seed());
-   if (config.width_px > 100) std::erase_if(pairs, [](const NamedPair& pair) { return pair.name != "scene"; });
+   if (!is_small(config)) std::erase_if(pairs, [](const NamedPair& pair) { return pair.name != "scene"; });
    return pairs;
 }
 
@@ -94,10 +96,22 @@ struct TimedFrame {
    }
 };
 
+/// The places of the small configurations in the table.
+std::vector<std::size_t> small_ones() {
+   std::vector<std::size_t> places;
+   for (std::size_t i = 0; i < configuration_table().size(); ++i)
+      if (is_small(configuration_table()[i].config)) places.push_back(i);
+   return places;
+}
+
+class StereoCoreLatencyTest : public StereoCoreOptionsTest {};
+INSTANTIATE_TEST_SUITE_P(Named, StereoCoreLatencyTest, ::testing::ValuesIn(small_ones()),
+                         [](const auto& info) { return configuration_table()[info.param].name; });
+
 /// Records of a frame and its flush.
 int whole_frame(const StereoConfig& config) { return config.width_px * config.row_groups() + config.flush_groups(); }
 
-TEST_P(StereoCoreOptionsTest, TheFirstOutputComesExactlyTheLatencyAfterItsLastRecord) {
+TEST_P(StereoCoreLatencyTest, TheFirstOutputComesExactlyTheLatencyAfterItsLastRecord) {
    const StereoConfig& config = core().config;
    for (const int stall_percent : {0, 50}) {
       const TimedFrame frame(config, core().latency_clocks, whole_frame(config), stall_percent);
@@ -112,7 +126,7 @@ TEST_P(StereoCoreOptionsTest, TheFirstOutputComesExactlyTheLatencyAfterItsLastRe
    }
 }
 
-TEST_P(StereoCoreOptionsTest, TheFlushGroupsBringOutTheWholeFrameAndOneLessDoesNot) {
+TEST_P(StereoCoreLatencyTest, TheFlushGroupsBringOutTheWholeFrameAndOneLessDoesNot) {
    const StereoConfig& config = core().config;
    const std::size_t outputs = std::size_t(config.output_width_px() * config.row_groups());
    for (const int missing : {0, 1}) {

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 include(GoogleTest)
 
+add_library(stereo_test_support STATIC support/map_compare.cpp support/test_main.cpp support/test_pairs.cpp)
+target_compile_definitions(stereo_test_support PUBLIC STEREO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_link_libraries(stereo_test_support PUBLIC stereo_images GTest::gtest PRIVATE stereo_strict_warnings)
+
 add_executable(
   stereo_tests
   packed_test.cpp
@@ -28,20 +32,34 @@ add_executable(
   stereo_core_large_test.cpp
   stereo_core_options_test.cpp
   stereo_core_stream_test.cpp
-  models/fast_model_test.cpp
-  models/reference_model_test.cpp
-  models/scene_test.cpp
-  support/map_compare.cpp
-  support/map_compare_test.cpp
   support/small_cores.cpp
   support/small_cores_with_options.cpp
-  support/test_main.cpp
-  support/test_pairs.cpp
   vectors/stimulus_test.cpp
   vectors/vector_files_test.cpp)
-target_compile_definitions(stereo_tests PRIVATE STEREO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-target_link_libraries(stereo_tests PRIVATE stereo_configurations stereo_images GTest::gtest stereo_warnings)
+target_link_libraries(stereo_tests PRIVATE stereo_configurations stereo_test_support stereo_warnings)
 gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit TIMEOUT 600)
+
+# The models alone: they build in a fraction of the core's time.
+add_executable(
+  stereo_model_tests
+  app/images_test.cpp
+  app/truth_test.cpp
+  models/fast_model_test.cpp
+  models/matching_test.cpp
+  models/opencv_stereo_bm_test.cpp
+  models/reference_model_test.cpp
+  models/reference_options_test.cpp
+  models/scene_test.cpp
+  support/map_compare_test.cpp
+  vectors/matching_parameters_test.cpp)
+target_include_directories(stereo_model_tests SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
+target_link_libraries(stereo_model_tests PRIVATE stereo_test_support ${OpenCV_LIBS} stereo_strict_warnings)
+find_package(OpenCV QUIET OPTIONAL_COMPONENTS core calib3d)
+if(TARGET opencv_calib3d)
+  target_compile_definitions(stereo_model_tests PRIVATE STEREO_HAS_STEREO_BM)
+  target_link_libraries(stereo_model_tests PRIVATE opencv_calib3d)
+endif()
+gtest_discover_tests(stereo_model_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit TIMEOUT 600)
 
 # Member by member: what stereo_config.hpp refuses, and its sentence.
 function(add_rejected_config name wrong message)
@@ -110,4 +128,5 @@ add_accepted_config(
 )
 
 stereo_add_pytest(NAME stereo_hls_cli FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_cli_test.py" LABELS unit)
+stereo_add_pytest(NAME stereo_hls_match FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_match_test.py" LABELS unit)
 stereo_add_pytest(NAME run_pytest FILE "${CMAKE_CURRENT_SOURCE_DIR}/support/run_pytest_test.py" LABELS unit)

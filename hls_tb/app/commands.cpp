@@ -1,77 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <chrono>
-#include <cstdlib>
-#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/errors.hpp"
+#include "app/options_json.hpp"
 #include "app/output_folder.hpp"
-#include "app/overview.hpp"
-#include "models/fast_model.hpp"
 #include "vectors/matching_parameters.hpp"
 #include "vectors/vector_files.hpp"
 
 namespace stereo::app {
 namespace {
-
-constexpr int kBadPixelTolerance = 1;  // disparity steps, as stereo benchmarks count
-
-/// The pair at the size that is matched.
-ImagePair load_pair_to_match(const MatchArguments& arguments, const Configuration& configuration) {
-   const StereoConfig& config = configuration.config;
-   ImagePair pair = load_pair(arguments.left, arguments.right);
-   if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
-      pair = fit_pair(std::move(pair), config.width_px, config.height_px, arguments.fit);
-   else if (pair.left.width != config.width_px || pair.left.height != config.height_px)
-      std::cout << "the images are " << pair.left.width << 'x' << pair.left.height << ", not the " << config.width_px
-                << 'x' << config.height_px << " of " << configuration.name
-                << ": its disparity range and window are applied to the whole images\n";
-   if (pair.left.width <= config.disparities)
-      throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
-                       " pixels wide but must be wider than the " + std::to_string(config.disparities) +
-                       " disparities of " + configuration.name + "; give larger images or another --config");
-   return pair;
-}
-
-struct TruthScore {
-   int compared = 0;  ///< visible pixels that have a disparity
-   int bad = 0;       ///< of those, off by more than the tolerance
-};
-
-TruthScore score(const MatchArguments& arguments, const ImagePair& pair, const GrayImage& map) {
-   const GrayImage truth = load_gray(arguments.truth), visible = load_gray(arguments.visible);
-   const auto require_size = [&](const std::string& option, const GrayImage& image) {
-      if (!image.same_size(pair.right))
-         throw InputError(option + ": the image is " + std::to_string(image.width) + "x" +
-                          std::to_string(image.height) + " but the matched right image is " +
-                          std::to_string(pair.right.width) + "x" + std::to_string(pair.right.height));
-   };
-   require_size("--truth " + arguments.truth, truth);
-   require_size("--visible " + arguments.visible, visible);
-   TruthScore result;
-   for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x) {
-         if (visible.at(x, y) == 0) continue;
-         ++result.compared;
-         result.bad += std::abs(int(map.at(x, y)) - int(truth.at(x, y))) > kBadPixelTolerance;
-      }
-   return result;
-}
-
-DisparityMap match_clocked(const ImagePair& pair, const Configuration& configuration) {
-   const Stimulus stimulus =
-       make_stimulus(configuration.name, configuration.config, configuration.latency_clocks, pair);
-   const std::vector<DisparityMap> frames = collect_frames(configuration.run(stimulus.clocks), configuration.config);
-   if (frames.size() != 1)
-      throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
-   return frames.front();
-}
 
 RowRange parse_rows(const std::string& text) {
    RowRange rows;
@@ -84,8 +26,6 @@ RowRange parse_rows(const std::string& text) {
    throw InputError("--rows " + text + ": must be A:B, the first row and the one after the last, such as 10:20");
 }
 
-const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
-
 template <class Content, class Writer>
 std::string text_of(const Content& content, Writer write) {
    std::ostringstream out;
@@ -95,21 +35,22 @@ std::string text_of(const Content& content, Writer write) {
 
 nlohmann::json as_json(const Configuration& entry) {
    const StereoConfig& config = entry.config;
-   return {{"width_px", config.width_px},
-           {"height_px", config.height_px},
-           {"disparities", config.disparities},
-           {"window_px", config.window_px},
-           {"pixels_per_clock", config.pixels_per_clock},
-           {"slice_disparities", config.slice_disparities},
-           {"cost_clocks", config.cost_clocks},
-           {"winner_group", config.winner_group},
-           {"disparity_bits", config.disparity_bits()},
-           {"output_width_px", config.output_width_px()},
-           {"output_height_px", config.output_height_px()},
-           {"latency_clocks", entry.latency_clocks},
-           {"groups_to_first_output", config.groups_to_first_output()},
-           {"flush_groups", config.flush_groups()},
-           {"gap_groups", config.gap_groups()}};
+   nlohmann::json json = options_json(matching_parameters(config));
+   json.update({{"width_px", config.width_px},
+                {"height_px", config.height_px},
+                {"pixels_per_clock", config.pixels_per_clock},
+                {"aggregation", config.aggregation == Aggregation::recursive ? "recursive" : "direct"},
+                {"slice_disparities", config.slice_disparities},
+                {"cost_clocks", config.cost_clocks},
+                {"winner_group", config.winner_group},
+                {"disparity_bits", config.disparity_bits()},
+                {"output_width_px", config.output_width_px()},
+                {"output_height_px", config.output_height_px()},
+                {"latency_clocks", entry.latency_clocks},
+                {"groups_to_first_output", config.groups_to_first_output()},
+                {"flush_groups", config.flush_groups()},
+                {"gap_groups", config.gap_groups()}});
+   return json;
 }
 
 }  // namespace
@@ -120,51 +61,6 @@ const Configuration& require_configuration(const std::string& name) {
    std::string known;
    for (const Configuration& entry : configuration_table()) known += (known.empty() ? "" : ", ") + entry.name;
    throw InputError("--config " + name + ": there is no such configuration; known are: " + known);
-}
-
-void match(const MatchArguments& arguments) {
-   const Configuration& configuration = require_configuration(arguments.config);
-   const StereoConfig& config = configuration.config;
-   const ImagePair pair = load_pair_to_match(arguments, configuration);
-   const bool fast = arguments.engine == Engine::fast;
-   const auto start = std::chrono::steady_clock::now();
-   const DisparityMap matched =
-       fast ? match_fast(pair.left, pair.right, matching_parameters(config)) : match_clocked(pair, configuration);
-   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-   GrayImage map(matched.width, matched.height);
-   std::transform(matched.disparity.begin(), matched.disparity.end(), map.pixels.begin(),
-                  [](uint16_t value) { return uint8_t(value); });
-
-   nlohmann::json facts{
-       {"format", "stereo-hls match 1"}, {"config", configuration.name},  {"engine", fast ? "fast" : "clocked"},
-       {"left", arguments.left},         {"right", arguments.right},      {"fit", fit_word(arguments.fit)},
-       {"width_px", pair.left.width},    {"height_px", pair.left.height}, {"disparities", config.disparities},
-       {"window_px", config.window_px},  {"output_width_px", map.width},  {"output_height_px", map.height},
-       {"milliseconds", time.count()}};
-   std::ostringstream text;
-   text << pair.left.width << 'x' << pair.left.height << ", " << config.disparities << " disparities, window "
-        << config.window_px << 'x' << config.window_px << " -> " << map.width << 'x' << map.height << ", "
-        << (fast ? "fast model" : "clocked core") << ", " << std::fixed << std::setprecision(2) << time.count()
-        << " ms\n";
-   if (!arguments.truth.empty()) {
-      const TruthScore truth = score(arguments, pair, map);
-      facts["truth"] = {{"disparity", arguments.truth},
-                        {"visible", arguments.visible},
-                        {"tolerance_px", kBadPixelTolerance},
-                        {"compared_px", truth.compared},
-                        {"bad_px", truth.bad}};
-      text << "bad pixels (> " << kBadPixelTolerance << " px): " << truth.bad << " of " << truth.compared
-           << " visible ones (" << 100.0 * truth.bad / std::max(truth.compared, 1) << " %)\n";
-   }
-
-   OutputFolder out(arguments.out);
-   out.add("disparity.png", encode_png(map));
-   out.add("disparity_color.png", encode_color_png(map, config.disparities));
-   out.add("overview.png", encode_overview_png(pair, map, config.disparities));
-   // A path may hold bytes that are no UTF-8.
-   out.add("match.json", facts.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-   std::cout << text.str();
-   out.commit();
 }
 
 void scene(const SceneArguments& arguments) {
@@ -181,6 +77,8 @@ void scene(const SceneArguments& arguments) {
    out.add("right.png", encode_png(made.images.right));
    out.add("disparity_right.png", encode_png(made.disparity));
    out.add("visible_right.png", encode_png(made.visible));
+   out.add("disparity_left.png", encode_png(made.left_disparity));
+   out.add("visible_left.png", encode_png(made.left_visible));
    out.commit();
 }
 

@@ -18,7 +18,7 @@ enum class Engine { fast, clocked };
 
 struct MatchArguments {
    std::string config, left, right, out;
-   std::string truth, visible;  ///< the right image's true disparities and what counts of them; both or none
+   std::string truth, visible;  ///< the reference image's true disparities and what counts of them; both or none
    Engine engine = Engine::fast;
    Fit fit = Fit::none;
 };

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -76,14 +77,25 @@ GrayImage resized(GrayImage image, int width, int height) {
    return from_mat(result);
 }
 
+/// A picture of one plane of a map.
+template <class Value, class Shade>
+GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shade shade) {
+   GrayImage image(map.width, map.height);
+   std::transform(plane.begin(), plane.end(), image.pixels.begin(), [&](Value value) { return uint8_t(shade(value)); });
+   return image;
+}
+
 }  // namespace
 
 cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
 
-cv::Mat colored(GrayImage disparity, int disparities) {
-   for (uint8_t& value : disparity.pixels) value = uint8_t(value * 255 / (disparities - 1));
+cv::Mat colored(const DisparityMap& map, int disparities) {
+   const int largest = std::max((disparities - 1) * map.steps_per_pixel(), 1);
+   GrayImage shades = gray_of(map.disparity, map, [&](uint16_t value) { return value * 255 / largest; });
    cv::Mat color;
-   cv::applyColorMap(as_mat(disparity), color, cv::COLORMAP_TURBO);
+   cv::applyColorMap(as_mat(shades), color, cv::COLORMAP_TURBO);
+   GrayImage invalid = gray_of(map.valid, map, [](uint8_t valid) { return valid != 0 ? 0 : 1; });
+   color.setTo(cv::Scalar::all(0), as_mat(invalid));
    return color;
 }
 
@@ -135,8 +147,16 @@ std::string encode_png(const GrayImage& image) {
    return encode(as_mat(copy));
 }
 
-std::string encode_color_png(const GrayImage& disparity, int disparities) {
-   return encode(colored(disparity, disparities));
+std::string encode_png(const DisparityMap& map) {
+   if (!map.subpixel) return encode_png(gray_of(map.disparity, map, [](uint16_t value) { return value; }));
+   std::vector<uint16_t> copy = map.disparity;
+   return encode(cv::Mat(map.height, map.width, CV_16UC1, copy.data()));
+}
+
+std::string encode_color_png(const DisparityMap& map, int disparities) { return encode(colored(map, disparities)); }
+
+std::string encode_valid_png(const DisparityMap& map) {
+   return encode_png(gray_of(map.valid, map, [](uint8_t valid) { return valid != 0 ? 255 : 0; }));
 }
 
 }  // namespace stereo::app

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "models/disparity_map.hpp"
 #include "models/gray_image.hpp"
 
 namespace stereo::app {
@@ -22,7 +23,11 @@ enum class Fit { none, crop, resize };
 ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit);
 
 std::string encode_png(const GrayImage& image);
-/// A disparity map in colour, from blue for 0 to red for disparities-1.
-std::string encode_color_png(const GrayImage& disparity, int disparities);
+/// The disparities as they are: 8 bits, or 16 bits where they are sixteenths of a pixel.
+std::string encode_png(const DisparityMap& map);
+/// A disparity map in colour, from blue for 0 to red for disparities-1 pixels, black where it is not valid.
+std::string encode_color_png(const DisparityMap& map, int disparities);
+/// 255 where the map is valid, else 0.
+std::string encode_valid_png(const DisparityMap& map);
 
 }  // namespace stereo::app

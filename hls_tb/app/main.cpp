@@ -35,7 +35,7 @@ void add_choice(CLI::App& command, const std::string& option, Value& value, cons
 void add_pair_options(CLI::App& command, std::string& left, std::string& right, Fit& fit) {
    static const std::map<std::string, Fit> kFits{{"none", Fit::none}, {"crop", Fit::crop}, {"resize", Fit::resize}};
    command.add_option("--left", left, "left image of the rectified pair")->required();
-   command.add_option("--right", right, "right image, the reference")->required();
+   command.add_option("--right", right, "right image")->required();
    add_choice(command, "--fit", fit, kFits,
               "images of another size than the configuration's: none (default), crop or resize");
 }
@@ -50,7 +50,7 @@ void add_match(CLI::App& app) {
               "fast (default): the software model, any size; clocked: the hardware's C++");
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
    CLI::Option* truth =
-       command->add_option("--truth", arguments.truth, "true disparities of the right image: count bad pixels");
+       command->add_option("--truth", arguments.truth, "true disparities of the reference image: count bad pixels");
    truth->needs(command->add_option("--visible", arguments.visible, "pixels that count: not 0")->needs(truth));
    command->callback([] { match(arguments); });
 }

@@ -5,14 +5,15 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "models/disparity_map.hpp"
 #include "models/gray_image.hpp"
 
 namespace stereo::app {
 
 /// A view of the pixels, not a copy.
 cv::Mat as_mat(GrayImage& image);
-/// A disparity map in colour, from blue for 0 to red for disparities-1.
-cv::Mat colored(GrayImage disparity, int disparities);
+/// A disparity map in colour, from blue for 0 to red for disparities-1 pixels, black where it is not valid.
+cv::Mat colored(const DisparityMap& map, int disparities);
 /// The bytes of a PNG file.
 std::string encode(const cv::Mat& mat);
 

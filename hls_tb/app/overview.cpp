@@ -52,32 +52,35 @@ void write(cv::Mat& page, const Layout& layout, const std::string& text, int x, 
                std::max(1, layout.scaled(1)), cv::LINE_AA);
 }
 
-/// The colours of all disparities from 0 at the bottom to disparities-1 at the top.
-void draw_color_bar(cv::Mat& page, const Layout& layout, int disparities) {
+/// The colours of all disparities from the smallest at the bottom to the largest at the top.
+void draw_color_bar(cv::Mat& page, const Layout& layout, int min_disparity, int disparities) {
    const cv::Rect last = layout.panel_at(2);
    const cv::Rect bar(last.x + last.width + layout.gap(), last.y, layout.bar(), last.height);
-   GrayImage steps(1, bar.height);
-   for (int y = 0; y < bar.height; ++y) steps.at(0, y) = uint8_t((bar.height - 1 - y) * disparities / bar.height);
+   DisparityMap steps(1, bar.height);
+   for (int y = 0; y < bar.height; ++y) steps.at(0, y) = uint16_t((bar.height - 1 - y) * disparities / bar.height);
    cv::resize(colored(steps, disparities), page(bar), bar.size(), 0, 0, cv::INTER_NEAREST);
    const int x = bar.x + bar.width + layout.scaled(4);
-   write(page, layout, std::to_string(disparities - 1) + " px", x, bar.y + layout.scaled(10));
-   write(page, layout, "0", x, bar.y + bar.height - 1);
+   write(page, layout, std::to_string(min_disparity + disparities - 1) + " px", x, bar.y + layout.scaled(10));
+   write(page, layout, std::to_string(min_disparity), x, bar.y + bar.height - 1);
 }
 
 }  // namespace
 
-std::string encode_overview_png(const ImagePair& pair, const GrayImage& disparity, int disparities) {
+std::string encode_overview_png(const ImagePair& pair, const DisparityMap& map, const MatchingParameters& parameters) {
    const Layout layout(pair.right);
    cv::Mat page(layout.page(), CV_8UC3, kPaper);
    enlarged_gray(pair.left, layout.zoom).copyTo(page(layout.panel_at(0)));
    enlarged_gray(pair.right, layout.zoom).copyTo(page(layout.panel_at(1)));
    page(layout.panel_at(2)).setTo(kNothing);
-   const cv::Mat map = enlarged(colored(disparity, disparities), layout.zoom);
-   map.copyTo(page(cv::Rect(layout.panel_at(2).tl(), map.size())));
-   const char* const captions[] = {"left", "right (reference)", "disparity"};
+   const cv::Mat color = enlarged(colored(map, parameters.disparities), layout.zoom);
+   const cv::Point first_column(map_first_column(parameters) * layout.zoom, 0);
+   color.copyTo(page(cv::Rect(layout.panel_at(2).tl() + first_column, color.size())));
+   const bool left = parameters.reference == Reference::left;
+   const char* const captions[] = {left ? "left (reference)" : "left", left ? "right" : "right (reference)",
+                                   "disparity"};
    for (int number = 0; number < 3; ++number)
       write(page, layout, captions[number], layout.panel_at(number).x, layout.scaled(15));
-   draw_color_bar(page, layout, disparities);
+   draw_color_bar(page, layout, parameters.min_disparity, parameters.disparities);
    return encode(page);
 }
 

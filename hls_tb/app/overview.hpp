@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "models/gray_image.hpp"
+#include "models/matching.hpp"
 
 namespace stereo::app {
 
-/// A PNG for people: left image, right image and disparity map side by side, with captions and a colour bar. The map
-/// stands at the columns of the right image that it belongs to; small images are enlarged by a whole factor.
-std::string encode_overview_png(const ImagePair& pair, const GrayImage& disparity, int disparities);
+/// A PNG for people: left image, right image and disparity map side by side, with captions and a colour bar in pixels.
+/// The map stands at the columns of the reference image that it belongs to; small images are enlarged by a whole
+/// factor.
+std::string encode_overview_png(const ImagePair& pair, const DisparityMap& map, const MatchingParameters& parameters);
 
 }  // namespace stereo::app

@@ -26,11 +26,15 @@ void count_evaluations(benchmark::State& state, double columns, double rows, dou
 }
 
 /// (W-D) x H outputs.
+void fast_model_options(benchmark::State& state, const stereo::MatchingParameters& parameters) {
+   const stereo::ImagePair pair = scene(parameters.disparities);
+   for (auto _ : state) benchmark::DoNotOptimize(stereo::match_fast(pair.left, pair.right, parameters));
+   count_evaluations(state, stereo::map_width(kWidth, parameters), kHeight, parameters.disparities);
+}
+
+/// The paper's algorithm.
 void fast_model(benchmark::State& state) {
-   const int disparities = int(state.range(0)), window = int(state.range(1));
-   const stereo::ImagePair pair = scene(disparities);
-   for (auto _ : state) benchmark::DoNotOptimize(stereo::match_fast(pair.left, pair.right, {disparities, window}));
-   count_evaluations(state, kWidth - disparities, kHeight, disparities);
+   fast_model_options(state, {.disparities = int(state.range(0)), .window_px = int(state.range(1))});
 }
 
 /// (W-D+1) x (H-B+1) outputs: all left pixels with a complete disparity range, in rows with a complete window. StereoBM
@@ -58,9 +62,38 @@ void clocked_core(benchmark::State& state, const char* name) {
    count_evaluations(state, config.output_width_px(), config.height_px, config.disparities);
 }
 
+const stereo::MatchingParameters kCensus5x5{.disparities = 64, .window_px = 5, .cost = stereo::Cost::census};
+const stereo::MatchingParameters kCensus7x7{.disparities = 64,
+                                            .window_px = 7,
+                                            .cost = stereo::Cost::census,
+                                            .census_width_px = 7,
+                                            .census_height_px = 7,
+                                            .left_right_threshold = 1,
+                                            .median = true};
+const stereo::MatchingParameters kSsd{.disparities = 64, .window_px = 7, .cost = stereo::Cost::ssd};
+/// What StereoBM does by default.
+const stereo::MatchingParameters kOpenCvBm{.disparities = 64,
+                                           .window_px = 15,
+                                           .reference = stereo::Reference::left,
+                                           .prefilter = stereo::Prefilter::xsobel,
+                                           .ties = stereo::Ties::largest,
+                                           .uniqueness_percent = 15,
+                                           .texture_threshold = 10,
+                                           .subpixel = true};
+
 // Disparities, window.
-BENCHMARK(fast_model)->Args({100, 3})->Args({96, 5})->Args({112, 5})->Unit(benchmark::kMillisecond);
-BENCHMARK(opencv_stereo_bm)->Args({96, 5})->Args({112, 5})->Unit(benchmark::kMillisecond);
+BENCHMARK(fast_model)
+    ->Args({100, 3})
+    ->Args({96, 5})
+    ->Args({112, 5})
+    ->Args({64, 15})
+    ->Args({100, 21})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fast_model_options, census_5x5_window_5, kCensus5x5)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fast_model_options, census_7x7_window_7_left_right_median, kCensus7x7)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fast_model_options, ssd_window_7, kSsd)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fast_model_options, opencv_bm, kOpenCvBm)->Unit(benchmark::kMillisecond);
+BENCHMARK(opencv_stereo_bm)->Args({64, 15})->Args({96, 5})->Args({112, 5})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(clocked_core, ambrosch2007, "ambrosch2007")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(clocked_core, ambrosch2007_p2, "ambrosch2007_p2")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(clocked_core, ambrosch2007_p4, "ambrosch2007_p4")->Unit(benchmark::kMillisecond);

@@ -5,8 +5,9 @@
 
 namespace stereo {
 
-/// The same map as match_reference, well below a millisecond a frame at 320x240 with 100 disparities and a 3x3
-/// window (bench/stereo_bench.cpp measures it): for parameter studies.
+/// The same map as match_reference, for parameter studies: below a millisecond a frame at 320x240 with 100 disparities
+/// and a plain 3x3 window, some milliseconds with any options and any window (bench/stereo_bench.cpp measures both).
+/// Throws std::invalid_argument as check_matching_input does.
 DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const MatchingParameters& parameters);
 
 }  // namespace stereo

@@ -67,12 +67,13 @@ Scene make_scene(const SceneOptions& options) {
        arrange_surfaces(options.width, options.height, options.disparities, options.seed);
    Random noise(options.seed + 1);
    const GrayImage blank(options.width, options.height);
-   Scene scene{{blank, blank}, blank, blank};
+   Scene scene{{blank, blank}, blank, blank, blank, blank};
    for (int y = 0; y < options.height; ++y) {
-      std::vector<const Surface*> in_left;
+      std::vector<const Surface*> in_left, in_right;
       for (int x = 0; x < options.width; ++x) {
          const Hit hit = hit_left(surfaces, x, y);
          scene.images.left.at(x, y) = grey(hit, y, options.noise, noise);
+         scene.left_disparity.at(x, y) = uint8_t(std::lround(hit.disparity));
          in_left.push_back(hit.surface);
       }
       for (int x = 0; x < options.width; ++x) {
@@ -82,6 +83,12 @@ Scene make_scene(const SceneOptions& options) {
          scene.disparity.at(x, y) = uint8_t(disparity);
          const bool visible = x + disparity < options.width && in_left[std::size_t(x + disparity)] == hit.surface;
          scene.visible.at(x, y) = visible ? 255 : 0;
+         in_right.push_back(hit.surface);
+      }
+      for (int x = 0; x < options.width; ++x) {
+         const int right_x = x - scene.left_disparity.at(x, y);
+         const bool visible = right_x >= 0 && in_right[std::size_t(right_x)] == in_left[std::size_t(x)];
+         scene.left_visible.at(x, y) = visible ? 255 : 0;
       }
    }
    return scene;

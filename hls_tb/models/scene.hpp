@@ -18,6 +18,8 @@ struct Scene {
    ImagePair images;
    GrayImage disparity;  ///< of the right image, rounded to whole pixels
    GrayImage visible;    ///< 255 where the left image shows the right image's pixel too, else 0
+   // The same of the left image: right(x - left_disparity) shows what left(x) shows.
+   GrayImage left_disparity, left_visible;
 };
 
 /// A textured wall, a checkered floor and a slanted board with boxes and balls before them; all of it follows from the

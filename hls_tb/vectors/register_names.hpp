@@ -98,6 +98,12 @@ template <class Visit, const StereoConfig& C>
 void visit_raster(Visit& visit, const Raster<C>& raster) {
    visit_array(visit, "raster_search", raster.features.search);
    visit_array(visit, "raster_reference", raster.features.reference);
+   // Where only the packed lanes are used, the tool keeps them as words.
+   typename PairDelay<C>::Word words[PairDelay<C>::Pack::kWords];
+   PairDelay<C>::Pack::pack(raster.features.search, words);
+   visit_array(visit, "raster_search_words", words);
+   PairDelay<C>::Pack::pack(raster.features.reference, words);
+   visit_array(visit, "raster_reference_words", words);
    visit_value(visit, "raster_valid", raster.features.valid);
    visit_counter(visit, "raster", raster.place);
 }
@@ -277,27 +283,21 @@ void visit_texture(Visit& visit, const Texture<C>& texture) {
 
 template <class Visit, const StereoConfig& C>
 void visit_refinement(Visit& visit, const Refinement<C>& refinement) {
-   for (int stage = 0; stage < Refinement<C>::kClocks; ++stage) {
-      const std::string name = "refinement_" + std::to_string(stage);
-      for (int p = 0; p < C.pixels_per_clock; ++p) {
-         const auto& pixel = refinement.pixel[stage][p];
-         const auto visit_member = [&](const char* member, auto value) {
-            visit_value(visit, name + "_" + member + "_" + std::to_string(p), value);
-         };
-         visit_member("disparity", pixel.disparity);
-         visit_member("passed", pixel.passed);
-         visit_member("cost", pixel.cost);
-         visit_member("gap", pixel.gap);
-         visit_member("alone", pixel.alone);
-         visit_member("scaled_gap", pixel.scaled_gap);
-         visit_member("scaled_cost", pixel.scaled_cost);
-         visit_member("remainder", pixel.remainder);
-         visit_member("divisor", pixel.divisor);
-         visit_member("quotient", pixel.quotient);
-         visit_member("negative", pixel.negative);
-         visit_member("fraction", pixel.fraction);
-      }
-      visit_tag(visit, name + "_tag", refinement.tag[stage]);
+   if constexpr (Refinement<C>::kClocks > 0) {
+      visit_array(visit, "refinement_disparity", refinement.disparity);
+      visit_array(visit, "refinement_passed", refinement.passed);
+      for (int stage = 0; stage < Refinement<C>::kClocks; ++stage)
+         visit_tag(visit, "refinement_tag_" + std::to_string(stage), refinement.tag[stage]);
+      visit_array(visit, "refinement_cost", refinement.cost);
+      visit_array(visit, "refinement_gap", refinement.gap);
+      visit_array(visit, "refinement_alone", refinement.alone);
+      visit_array(visit, "refinement_scaled_gap", refinement.scaled_gap);
+      visit_array(visit, "refinement_scaled_cost", refinement.scaled_cost);
+      visit_array(visit, "refinement_remainder", refinement.remainder);
+      visit_array(visit, "refinement_divisor", refinement.divisor);
+      visit_array(visit, "refinement_quotient", refinement.quotient);
+      visit_array(visit, "refinement_negative", refinement.negative);
+      visit_array(visit, "refinement_fraction", refinement.fraction);
    }
 }
 
@@ -365,6 +365,9 @@ void visit_map_block(Visit& visit, const Median<C>& median) {
    visit_median_place(visit, "median_ready", median.ready);
    visit_value(visit, "median_write_column", median.write_column);
    visit_array(visit, "median_column", median.column);
+   // Of the rows around the group nobody needs the validity.
+   for (const int row : {0, C.pixels_per_clock + 1})
+      visit_value(visit, "median_column_" + std::to_string(row) + "_value", uint32_t(median.column[row] & ~1u));
    visit_median_place(visit, "median_at", median.at);
    visit_array(visit, "median_low", median.low);
    visit_array(visit, "median_middle", median.middle);

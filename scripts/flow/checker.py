@@ -94,10 +94,7 @@ def measure(stimulus, observed, configuration):
 
 
 def _latency(stimulus, starts, configuration):
-    """The windows of the first outputs are complete with column D-1+r of the group that holds the r rows below them."""
-    radius = configuration["window_px"] // 2
-    groups = -(-radius // configuration["pixels_per_clock"])
-    pairs_before = groups * configuration["width_px"] + configuration["disparities"] - 1 + radius
+    """From the last group of pixels that the first output needs to that output."""
     first = next(clock for clock, (valid, start) in enumerate(stimulus) if valid and start)
     valid_clocks = [clock for clock in range(first, len(stimulus)) if stimulus[clock][0]]
-    return starts[0] - valid_clocks[pairs_before]
+    return starts[0] - valid_clocks[configuration["groups_to_first_output"] - 1]

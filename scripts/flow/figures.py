@@ -3,8 +3,9 @@
 
 
 def clocks_per_frame(parameters):
-    """Frames back to back take a clock for each group of pixel pairs; co-simulation measures the same."""
-    return parameters["width_px"] * parameters["height_px"] // parameters.get("pixels_per_clock", 1)
+    """Frames as close to each other as they may be take a clock for each group of pixel pairs and, with recursive sums, for
+    each group of the gap between them; co-simulation measures the same."""
+    return parameters["width_px"] * parameters["height_px"] // parameters.get("pixels_per_clock", 1) + parameters.get("gap_groups", 0)
 
 
 def evaluations_per_frame(parameters):

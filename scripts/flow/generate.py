@@ -3,6 +3,7 @@
 
 import shutil
 import tempfile
+import textwrap
 from pathlib import Path
 
 from . import bambu, manifest
@@ -14,7 +15,7 @@ from .rtl.vhdl_reader import read_design
 from .rtl.vhdl_writer import VhdlWriter
 from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
 
-TRACE_ROWS = 4  # that the naming trace covers, so that the rules at the upper border show
+TRACE_ROWS = 4  # that the naming trace covers at least, so that the rules at the upper border show
 
 
 def header(config, parameters, tool_run):
@@ -22,16 +23,32 @@ def header(config, parameters, tool_run):
     return "\n".join([
         "-- SPDX-License-Identifier: Apache-2.0",
         f"-- Stereo block-matching core, configuration {config}: {size}.",
+        *_options(parameters),
         f"-- Made from hls/stereo_top.cpp by {tool_run.version} and scripts/synthesize.py. Do not edit:",
         f"--   scripts/synthesize.py --config {config}",
         "-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.",
     ])
 
 
+def _options(parameters):
+    """Lines that name what the configuration has beyond the plain core."""
+    parts = [f"{parameters['reference']} reference, {parameters['cost']} cost, {parameters['aggregation']} sums"]
+    if parameters["cost"] == "census":
+        parts.append(f"census {parameters['census_width_px']}x{parameters['census_height_px']}")
+    if parameters["prefilter"] != "none":
+        parts.append(f"prefilter {parameters['prefilter']} with cap {parameters['prefilter_cap']}")
+    parts += [f"{text} {parameters[key]}" for key, text, off in (
+        ("min_disparity", "lowest disparity", 0), ("left_right_threshold", "left/right check, threshold", -1),
+        ("uniqueness_percent", "uniqueness check, percent", 0), ("texture_threshold", "texture check, threshold", 0)) if parameters[key] != off]
+    parts += [key for key in ("subpixel", "median") if parameters[key]]
+    return textwrap.wrap(", ".join(parts) + ".", 110, initial_indent="-- Options: ", subsequent_indent="--   ")
+
+
 def netlist_of(config, parameters, design, work):
     """The tool's design, lowered, checked against the C++ core and named after it."""
     netlist = lower(design)
-    clocks = TRACE_ROWS * parameters["width_px"]
+    groups = -(-2 * parameters["window_px"] // parameters["pixels_per_clock"])  # until every stored row holds pixels
+    clocks = max(TRACE_ROWS, groups + 2) * parameters["width_px"] + parameters["groups_to_first_output"] % parameters["width_px"]
     narrow_memories(netlist)
     join_memory_slices(netlist)
     run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 from .errors import FlowError
+from .families import keeps_vhdl
 from .tools import GENERATED_RTL, ROOT
 
 FORMAT = "stereo-hls manifest 1"
@@ -59,6 +60,8 @@ def vhdl_files(directory):
     paths = []
     for name, expected in read(directory)["files"].items():
         path = directory / name
+        if not path.is_file() and not keeps_vhdl(directory.name):
+            raise FlowError(f"the repository does not keep the VHDL of {directory.name}; make it with scripts/synthesize.py --config {directory.name}, which needs Bambu")
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
         if digest(path) != expected:

@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/performance.md: tables made from committed files only, so that anyone gets the same page."""
 
-import json
-
 from . import figures, implement, manifest
 from .errors import FlowError
+from .families import PAPER as PAPER_FAMILY
+from .families import TINY, family
 from .tools import GENERATED_RTL, ROOT
 from .yosys import TARGETS
 
 PAGE = ROOT / "docs" / "performance.md"
-PIPELINE_DEPTH = ROOT / "docs" / "pipeline_depth.json"
-PIPELINE_FORMAT = "stereo-hls pipeline depth 1"
-PIPELINE_KEYS = ("cost_clocks", "winner_group", "slice_disparities", "latency_clocks", "luts", "ffs", "fmax_mhz")
 PAPER = {"width_px": 320, "height_px": 240, "disparities": 100}
 UNKNOWN = "-"
 
@@ -21,6 +18,21 @@ PUBLISHED = [
     ("Vitis Vision StereoBM, 100 units, 5x5", 79_056, None, None, None, None, "its loop bounds"),
     ("Strother dlsc SAD core, 2 rows at once, 5x5", 27_000, None, None, None, None, "its header; about"),
     ("best FPGA row found: SGM 3840x2160x64 at 30 frames a second", None, None, None, None, 15_925, "its publication"),
+]
+
+_SURVEY = "table 1 of doi 10.1155/2014/945926"
+# (system of the paper's comparison, point, frames a second where a public source gives them, that source, configuration)
+SYSTEMS = [
+    ("Niitsuma and Maruyama", "640x480, D=27, 7x7", None, "", "niitsuma_640"),
+    ("Niitsuma and Maruyama", "320x240, D=121, 7x7", None, "", "niitsuma_320"),
+    ("Lee et al.", "320x240, D=64, 16x16", None, "", "lee_320"),
+    ("Miyajima and Maruyama", "640x480, D=200, 7x7", None, "", "miyajima_640"),
+    ("Yi et al.", "270x270, D=34, window not stated: 9x9 here", None, "", "yi_270"),
+    ("Han et al.", "640x480, D=128, window not stated: 9x9 here", None, "", "han_640"),
+    ("DeepSea (Tyzx)", "512x480, D=52, census", 200, _SURVEY, "deepsea_512"),
+    ("Kim et al.: trellis", "320x240, D=128", 30, _SURVEY, None),
+    ("PARTS, Masrani and MacLean: local weighted phase correlation", "640x480, D=36 (Masrani)", 30, _SURVEY, None),
+    ("Masrani and MacLean: dynamic range", "", None, "", None),
 ]
 
 
@@ -113,25 +125,6 @@ def comparison_table(configurations):
     return table(["system", "clocks a frame", "evaluations a clock", "frames a second", "Mde/s", "ALUTs", "memory bits", "from"], rows)
 
 
-def pipeline_table():
-    """The measured choices of pipeline depth, or a sentence that there are none."""
-    try:
-        data = json.loads(PIPELINE_DEPTH.read_text())
-    except OSError:
-        return "Not measured yet."
-    except ValueError as error:
-        raise FlowError(f"damaged {PIPELINE_DEPTH}: {error}") from None
-    if not isinstance(data, dict) or data.get("format") != PIPELINE_FORMAT:
-        raise FlowError(f"damaged {PIPELINE_DEPTH}: not of format '{PIPELINE_FORMAT}'")
-    missing = sorted({key for point in data["points"] for key in PIPELINE_KEYS if key not in point})
-    if missing:
-        raise FlowError(f"damaged {PIPELINE_DEPTH}: a point has no {', '.join(missing)}")
-    points = sorted(data["points"], key=lambda p: [p[key] for key in PIPELINE_KEYS[:3]])
-    rows = [[number(point[key], 1 if key == "fmax_mhz" else 0) for key in PIPELINE_KEYS] for point in points]
-    return table(["cost_clocks", "winner_group", "slice_disparities", "latency, clocks", "LUT4", "flip-flops", "MHz"], rows) + (
-        f"\n\nConfiguration `{data['configuration']}` on ECP5; printed by `{data['command']}`.")
-
-
 TEXT = """\
 # Performance
 
@@ -168,16 +161,35 @@ Stratix II by Altera's tools. The frames a second of this core are those of ECP5
 
 {comparison}
 
-## Pipeline depth
+{systems}
 
-{pipeline}
+[features.md](features.md) shows what each option, each window and each depth of the pipeline costs.
 """
 
 
+def systems_table():
+    """The systems that the paper compares itself with, and this core as they were."""
+    rows = []
+    for system, what, published, source, name in SYSTEMS:
+        if name is None or name not in implement.known_configurations():
+            rows.append([system, what, number(published), source, code(name) if name else "not done yet", *[UNKNOWN] * 6])
+            continue
+        c = Configuration(name)
+        clock, area = c.clock(), c.targets.get("ecp5")
+        cyclone = c.targets.get("cyclonev")
+        rows.append([
+            system, what, number(published), source, code(name), number(figures.clocks_per_frame(c.parameters)),
+            number(c.manifest["tool_report"]["register_bits"]), number(c.manifest["tool_report"]["memory_bits"]),
+            number(figures.lut_count(area)) if area else UNKNOWN, number(cyclone and cyclone["aluts"]), number(clock.get("frames_per_second"))])
+    return table(["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "LUT4", "ALUTs",
+                  "frames a second on ECP5"], rows)
+
+
 def page():
-    configurations = [Configuration(name) for name in implement.known_configurations()]
+    """The paper's core and its small twins; other families have pages of their own."""
+    configurations = [Configuration(name) for name in implement.known_configurations() if family(name) in (PAPER_FAMILY, TINY)]
     return TEXT.format(per_clock=per_clock_table(configurations), speed=speed_table(configurations), area=area_table(configurations),
-                       comparison=comparison_table(configurations), pipeline=pipeline_table())
+                       comparison=comparison_table(configurations), systems=systems_table())
 
 
 def is_up_to_date():

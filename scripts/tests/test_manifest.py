@@ -3,9 +3,11 @@
 
 import pytest
 from flow import generate, manifest, tools
+from flow.families import keeps_vhdl
 from flow_commands import call
 
-CONFIGURATIONS = sorted(tools.configurations())
+# Of the others the repository has no VHDL.
+CONFIGURATIONS = sorted(filter(keeps_vhdl, tools.configurations()))
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -28,7 +30,8 @@ def test_generated_vhdl_says_where_it_came_from(name):
 
 
 def test_every_folder_is_a_configuration():
-    assert sorted(path.name for path in tools.GENERATED_RTL.iterdir()) == CONFIGURATIONS
+    folders = {path.name for path in tools.GENERATED_RTL.iterdir()}
+    assert folders >= set(CONFIGURATIONS) and folders <= set(tools.configurations())
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)

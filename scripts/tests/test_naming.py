@@ -3,7 +3,7 @@
 
 import pytest
 from flow.errors import FlowError
-from flow.rtl import netlist as n
+from flow.rtl import netlist, nodes as n
 from flow.rtl.naming import name_registers, read_trace
 
 VALID = (1, 0, 1, 1, 0, 1)
@@ -12,12 +12,12 @@ VALID = (1, 0, 1, 1, 0, 1)
 def design():
     """A counter of `valid` that starts at 5, the inverse of `valid` one clock late, and a twin of the counter."""
     valid = n.leaf("input", "valid", 1)
-    counter, twin = (n.Register(name, n.leaf("register", name, 8), 5) for name in ("reg_7", "reg_8"))
-    inverse = n.Register("reg_9", n.leaf("register", "reg_9", 1), 1, n.bit_not(valid))
+    counter, twin = (netlist.Register(name, n.leaf("register", name, 8), 5) for name in ("reg_7", "reg_8"))
+    inverse = netlist.Register("reg_9", n.leaf("register", "reg_9", 1), 1, n.bit_not(valid))
     counter.next = n.wrap(n.add(counter.value, valid), 8)
     twin.next = counter.next
     outputs = {"disparity": n.add(counter.value, n.const(0)), "disparity_valid": n.bit_not(inverse.value)}
-    return n.Netlist({"valid": valid}, outputs, [counter, twin, inverse])
+    return netlist.Netlist({"valid": valid}, outputs, [counter, twin, inverse])
 
 
 def trace_text(change=None):

@@ -2,7 +2,7 @@
 """Every simplification of the netlist builders keeps the value: random expressions against plain Python arithmetic."""
 
 import pytest
-from flow.rtl import netlist as n
+from flow.rtl import netlist, nodes as n
 from flow.rtl.evaluate import compile_step
 
 WIDTHS = {"a": 8, "b": 8, "c": 3, "s": 1, "t": 1}
@@ -73,7 +73,7 @@ def random_bit(rng, depth):
 
 
 def evaluate(node, inputs):
-    step = compile_step(n.Netlist({k: n.leaf("input", k, w) for k, w in WIDTHS.items()}, {"out": node}))
+    step = compile_step(netlist.Netlist({k: n.leaf("input", k, w) for k, w in WIDTHS.items()}, {"out": node}))
     return step(inputs, [], [])["out"]
 
 
@@ -81,7 +81,7 @@ def evaluate(node, inputs):
 def test_simplified_expressions_keep_their_value(rng, part):
     for number in range(1500):
         node, plain = random_expression(rng, 1 + number % 5)
-        step = compile_step(n.Netlist({k: n.leaf("input", k, w) for k, w in WIDTHS.items()}, {"out": node}))
+        step = compile_step(netlist.Netlist({k: n.leaf("input", k, w) for k, w in WIDTHS.items()}, {"out": node}))
         for _ in range(12):
             inputs = {name: rng.choice((0, (1 << w) - 1, rng.randrange(1 << w))) for name, w in WIDTHS.items()}
             got, expected = step(inputs, [], [])["out"], plain(inputs)
@@ -112,11 +112,11 @@ def test_known_simplifications():
 
 def test_twins_are_merged_and_unused_registers_dropped():
     a = n.leaf("input", "a", 8)
-    one, two = (n.Register(name, n.leaf("register", name, 8), 0, a) for name in ("one", "two"))
-    after = n.Register("after", n.leaf("register", "after", 8), 0, two.value)
-    alone = n.Register("alone", n.leaf("register", "alone", 8), 1, a)
-    design = n.Netlist({"a": a}, {"out": n.add(one.value, after.value)}, [one, two, after, alone])
-    n.merge_twins(design)
-    n.remove_unused(design)
+    one, two = (netlist.Register(name, n.leaf("register", name, 8), 0, a) for name in ("one", "two"))
+    after = netlist.Register("after", n.leaf("register", "after", 8), 0, two.value)
+    alone = netlist.Register("alone", n.leaf("register", "alone", 8), 1, a)
+    design = netlist.Netlist({"a": a}, {"out": n.add(one.value, after.value)}, [one, two, after, alone])
+    netlist.merge_twins(design)
+    netlist.remove_unused(design)
     assert [r.name for r in design.registers] == ["one", "after"]
     assert after.next is one.value

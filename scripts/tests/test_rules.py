@@ -5,7 +5,7 @@ import itertools
 
 import pytest
 from flow.errors import FlowError
-from flow.rtl import netlist as n
+from flow.rtl import netlist, nodes as n
 from flow.rtl.evaluate import compile_step
 from flow.rtl.rules import RULES, Cell, apply_rule
 
@@ -67,7 +67,7 @@ def check(kind, inputs, out_width, signed, expected, generics=None, rng=None):
     cell = Cell(kind, {k: str(v) for k, v in generics.items()}, leaves, "under_test")
     node = n.wrap(apply_rule(cell), out_width, signed)
     free = {p: w for p, w in inputs.items() if isinstance(w, tuple)}
-    step = compile_step(n.Netlist({p: leaves[p] for p in free}, {"out": node}))
+    step = compile_step(netlist.Netlist({p: leaves[p] for p in free}, {"out": node}))
     ranges = [range(-(1 << w - 1), 1 << w - 1) if s else range(1 << w) for w, s in free.values()]
     total = 1
     for values in ranges:

@@ -4,10 +4,11 @@
 import pytest
 from conftest import need
 from flow import manifest, tools
+from flow.families import keeps_vhdl
 from flow_commands import call, cosim, random_pair, report
 
 # The large ones with several pixels a clock take minutes each; they are made by the same steps.
-CONFIGURATIONS = [name for name in sorted(tools.configurations()) if name not in ("ambrosch2007_p2", "ambrosch2007_p4")]
+CONFIGURATIONS = [name for name in sorted(filter(keeps_vhdl, tools.configurations())) if name not in ("ambrosch2007_p2", "ambrosch2007_p4")]
 
 
 @pytest.fixture(scope="module")

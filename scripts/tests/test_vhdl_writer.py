@@ -6,7 +6,7 @@ import re
 import pytest
 from flow import vectors
 from flow.errors import FlowError
-from flow.rtl import netlist as n
+from flow.rtl import netlist, nodes as n
 from flow.rtl.evaluate import compile_step, initial_state
 from flow.rtl.ranges import narrow_registers
 from flow.rtl.vhdl_writer import VhdlWriter, control_registers, split_hold
@@ -18,10 +18,10 @@ CLOCKS = 300
 
 def random_netlist(rng, registers=40):
     """Registers of some widths whose next values are random expressions of the inputs and of each other."""
-    design = n.Netlist({name: n.leaf("input", name, w) for name, w in INPUTS.items()})
+    design = netlist.Netlist({name: n.leaf("input", name, w) for name, w in INPUTS.items()})
     for k in range(registers):
         width = rng.choice((1, 1, 4, 8, 8, 12))
-        design.registers.append(n.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width)))
+        design.registers.append(netlist.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width)))
     words = [r.value for r in design.registers if not r.value.is_bit] + [design.inputs["left_pixel"], design.inputs["right_pixel"]]
     bits = [r.value for r in design.registers if r.value.is_bit] + [design.inputs["start_of_frame"], design.inputs["valid"]]
     for register in design.registers:
@@ -78,7 +78,7 @@ def run_in_python(design, stimulus):
 def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part):
     design = random_netlist(rng)
     narrow_registers(design)
-    n.remove_unused(design)
+    netlist.remove_unused(design)
     (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- random netlist").write())
     stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
     lines = [f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus]
@@ -94,12 +94,12 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
 
 def test_ranges_follow_a_pipeline_and_leave_counters_alone():
     pixel = n.leaf("input", "left_pixel", 8)
-    difference, total = (n.Register(name, n.leaf("register", name, 16)) for name in ("difference", "total"))
-    counter = n.Register("counter", n.leaf("register", "counter", 7), 3)
+    difference, total = (netlist.Register(name, n.leaf("register", name, 16)) for name in ("difference", "total"))
+    counter = netlist.Register("counter", n.leaf("register", "counter", 7), 3)
     difference.next = n.absolute(n.sub(pixel, n.leaf("input", "right_pixel", 8)))
     total.next = n.wrap(n.add(difference.value, difference.value, difference.value), 16)
     counter.next = n.wrap(n.add(counter.value, n.const(1)), 7)
-    design = n.Netlist({}, {"out": total.value, "count": counter.value}, [difference, total, counter])
+    design = netlist.Netlist({}, {"out": total.value, "count": counter.value}, [difference, total, counter])
     narrow_registers(design)
     assert [(r.value.low, r.value.high) for r in design.registers] == [(0, 255), (0, 765), (0, 127)]
     assert total.next.op == "add", "the wrap is proved away"
@@ -107,7 +107,7 @@ def test_ranges_follow_a_pipeline_and_leave_counters_alone():
 
 def test_hold_is_found():
     enable, pixel = n.leaf("input", "valid", 1), n.leaf("input", "left_pixel", 8)
-    register = n.Register("r", n.leaf("register", "r", 8))
+    register = netlist.Register("r", n.leaf("register", "r", 8))
     register.next = n.mux(enable, pixel, register.value)
     assert split_hold(register) == (enable, pixel)
     register.next = n.mux(enable, register.value, pixel)
@@ -117,11 +117,11 @@ def test_hold_is_found():
 
 
 def memory_design():
-    address, word = n.Register("m_address", n.leaf("register", "m_address", 3)), n.Register("m_word", n.leaf("register", "m_word", 8))
-    memory = n.Memory("m_memory", 8, 8, n.leaf("memory", "m_memory", 8), address.value, address.value, n.leaf("input", "left_pixel", 8))
+    address, word = netlist.Register("m_address", n.leaf("register", "m_address", 3)), netlist.Register("m_word", n.leaf("register", "m_word", 8))
+    memory = netlist.Memory("m_memory", 8, 8, n.leaf("memory", "m_memory", 8), address.value, address.value, n.leaf("input", "left_pixel", 8))
     address.next, word.next = n.wrap(n.add(address.value, n.const(1)), 3), memory.data
     outputs = {"disparity": word.value, "disparity_valid": n.const(1), "disparity_start_of_frame": n.const(0), "disparity_end_of_line": n.const(0)}
-    return n.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
+    return netlist.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
 
 
 def test_memories_become_the_cell():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs a netlist in Python, clock by clock: the check and the traces that naming needs, before any VHDL exists."""
 
-from .netlist import walk
+from .nodes import walk
 
 _TEXT = {
     "sub": "({0} - {1})", "abs": "abs({0})", "folded": "({0} if {0} >= 0 else -1 - {0})",

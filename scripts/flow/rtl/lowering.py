@@ -9,8 +9,8 @@ registers' next values are those of the loop state. Nothing of the controller is
 import re
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from .netlist import (Memory, Netlist, Register, add, const, is_const, leaf, mux, rebuild, remove_unused, shift_left, shift_right,
-                      wrap)
+from .netlist import Memory, Netlist, Register, remove_unused
+from .nodes import add, const, is_const, leaf, mux, rebuild, shift_left, shift_right, wrap
 from .rules import Cell, apply_rule
 
 REGISTERS = ("register_SE", "register_STD")

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
 from .evaluate import compile_step, initial_state
-from .netlist import bit_not, leaf, merge_twins, walk, wrap
+from .netlist import merge_twins
+from .nodes import bit_not, leaf, walk, wrap
 
 
 def read_trace(path):

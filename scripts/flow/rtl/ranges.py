@@ -8,7 +8,7 @@ bound comes from a comparison that ranges do not see) keeps its declared range.
 
 import heapq
 
-from .netlist import Node, leaf, rebuild, walk, wrap
+from .nodes import Node, leaf, rebuild, walk, wrap
 
 GROWTHS_ALLOWED = 16
 

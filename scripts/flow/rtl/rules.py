@@ -6,8 +6,10 @@ types of the connected signals, so a rule serves the signed and the unsigned var
 """
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from .netlist import (absolute, add, bit_not, bit_or, bit_and, bitwise, const, equal, is_const, less, mul, mux, shift_left, shift_right,
-                      sub, wrap)
+from .nodes import (
+    absolute, add, bit_not, bit_or, bit_and, bitwise, const, equal, is_const, less, mul, mux, shift_left,
+    shift_right, sub, wrap,
+)
 
 
 class Cell:

@@ -6,7 +6,8 @@ from collections import Counter
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
 from .expressions import Writer, is_wide, type_of, without_outer_parentheses
-from .netlist import Register, bit_not, walk
+from .netlist import Register
+from .nodes import bit_not, walk
 
 LINE = 120
 WORDS = ("disparity", "pixel_valid")  # outputs of a lane for each row; they count only where disparity_valid is 1

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/commands.hpp"
+#include "app/errors.hpp"
+#include "app/options_json.hpp"
+#include "app/output_folder.hpp"
+#include "app/overview.hpp"
+#include "app/truth.hpp"
+#include "models/fast_model.hpp"
+#include "vectors/matching_parameters.hpp"
+
+namespace stereo::app {
+namespace {
+
+/// The pair at the size that is matched.
+ImagePair load_pair_to_match(const MatchArguments& arguments, const Configuration& configuration) {
+   const StereoConfig& config = configuration.config;
+   ImagePair pair = load_pair(arguments.left, arguments.right);
+   if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
+      pair = fit_pair(std::move(pair), config.width_px, config.height_px, arguments.fit);
+   else if (pair.left.width != config.width_px || pair.left.height != config.height_px)
+      std::cout << "the images are " << pair.left.width << 'x' << pair.left.height << ", not the " << config.width_px
+                << 'x' << config.height_px << " of " << configuration.name
+                << ": its options are applied to the whole images\n";
+   if (map_width(pair.left.width, matching_parameters(config)) < 1)
+      throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
+                       " pixels wide but must be wider than the " + std::to_string(config.disparities) +
+                       " disparities of " + configuration.name + " from " + std::to_string(config.min_disparity) +
+                       " on; give larger images or another --config");
+   return pair;
+}
+
+const char* reference_word(Reference reference) { return reference == Reference::left ? "left" : "right"; }
+
+TruthScore load_and_score(const MatchArguments& arguments, const DisparityMap& map,
+                          const MatchingParameters& parameters, const GrayImage& reference) {
+   const GrayImage truth = load_gray(arguments.truth), visible = load_gray(arguments.visible);
+   const auto require_size = [&](const std::string& option, const GrayImage& image) {
+      if (!image.same_size(reference))
+         throw InputError(option + ": the image is " + std::to_string(image.width) + "x" +
+                          std::to_string(image.height) + " but the matched " + reference_word(parameters.reference) +
+                          " image is " + std::to_string(reference.width) + "x" + std::to_string(reference.height));
+   };
+   require_size("--truth " + arguments.truth, truth);
+   require_size("--visible " + arguments.visible, visible);
+   return score_against_truth(map, parameters, truth, visible);
+}
+
+DisparityMap match_clocked(const ImagePair& pair, const Configuration& configuration) {
+   const Stimulus stimulus =
+       make_stimulus(configuration.name, configuration.config, configuration.latency_clocks, pair);
+   const std::vector<DisparityMap> frames = collect_frames(configuration.run(stimulus.clocks), configuration.config);
+   if (frames.size() != 1)
+      throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
+   return frames.front();
+}
+
+const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
+
+/// Share of the map's pixels that are valid.
+double density(const DisparityMap& map) {
+   return double(std::count(map.valid.begin(), map.valid.end(), 1)) / double(map.valid.size());
+}
+
+/// What match.json holds, and what is printed.
+struct Facts {
+   nlohmann::json json;
+   std::ostringstream text;
+};
+
+void add_matching(Facts& facts, const MatchArguments& arguments, const DisparityMap& map,
+                  const MatchingParameters& parameters, const ImagePair& pair, double milliseconds) {
+   const bool fast = arguments.engine == Engine::fast;
+   facts.json = options_json(parameters);
+   facts.json.update({{"format", "stereo-hls match 1"},
+                      {"config", arguments.config},
+                      {"engine", fast ? "fast" : "clocked"},
+                      {"left", arguments.left},
+                      {"right", arguments.right},
+                      {"fit", fit_word(arguments.fit)},
+                      {"width_px", pair.left.width},
+                      {"height_px", pair.left.height},
+                      {"output_width_px", map.width},
+                      {"output_height_px", map.height},
+                      {"output_first_column", map_first_column(parameters)},
+                      {"disparity_steps_per_px", map.steps_per_pixel()},
+                      {"density", density(map)},
+                      {"milliseconds", milliseconds}});
+   facts.text << pair.left.width << 'x' << pair.left.height << ", " << parameters.disparities << " disparities, window "
+              << parameters.window_px << 'x' << parameters.window_px << " -> " << map.width << 'x' << map.height << ", "
+              << (fast ? "fast model" : "clocked core") << ", " << std::fixed << std::setprecision(2) << milliseconds
+              << " ms\n";
+   if (parameters.has_check()) facts.text << "valid pixels: " << 100 * density(map) << " %\n";
+}
+
+void add_truth(Facts& facts, const MatchArguments& arguments, const TruthScore& truth) {
+   facts.json["truth"] = {
+       {"disparity", arguments.truth},  {"visible", arguments.visible}, {"tolerance_px", kBadPixelTolerance},
+       {"compared_px", truth.compared}, {"bad_px", truth.bad},          {"invalid_px", truth.invalid}};
+   facts.text << "bad pixels (> " << kBadPixelTolerance << " px): " << truth.bad << " of " << truth.compared
+              << " visible ones (" << 100.0 * truth.bad / std::max(truth.compared, 1) << " %)";
+   if (truth.invalid > 0) facts.text << "; " << truth.invalid << " visible ones are invalid and do not count";
+   facts.text << '\n';
+}
+
+}  // namespace
+
+void match(const MatchArguments& arguments) {
+   const Configuration& configuration = require_configuration(arguments.config);
+   const MatchingParameters parameters = matching_parameters(configuration.config);
+   const ImagePair pair = load_pair_to_match(arguments, configuration);
+   const auto start = std::chrono::steady_clock::now();
+   const DisparityMap map = arguments.engine == Engine::fast ? match_fast(pair.left, pair.right, parameters)
+                                                             : match_clocked(pair, configuration);
+   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+
+   Facts facts;
+   add_matching(facts, arguments, map, parameters, pair, time.count());
+   const GrayImage& reference = parameters.reference == Reference::left ? pair.left : pair.right;
+   if (!arguments.truth.empty()) add_truth(facts, arguments, load_and_score(arguments, map, parameters, reference));
+
+   OutputFolder out(arguments.out);
+   out.add("disparity.png", encode_png(map));
+   out.add("disparity_color.png", encode_color_png(map, parameters.disparities));
+   if (parameters.has_check()) out.add("valid.png", encode_valid_png(map));
+   out.add("overview.png", encode_overview_png(pair, map, parameters));
+   // A path may hold bytes that are no UTF-8.
+   out.add("match.json", facts.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+   std::cout << facts.text.str();
+   out.commit();
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command stereo_hls match: disparity maps, their facts, and input that it refuses."""
+
+import json
+import random
+
+import pytest
+
+from stereo_hls_program import (DISPARITIES, HEIGHT, PROGRAM, WIDTH, changed, fail, gray_image, png_depth, png_size,
+                                succeed, write_image)
+
+pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
+
+
+@pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4"])
+def test_match_engines_agree(tmp_path, match, config):
+    match = changed(match, "--config", config)
+    fast = succeed(*match, "--engine", "fast")
+    clocked = succeed(*changed(match, "--out", tmp_path / "clocked"), "--engine", "clocked")
+    assert "32x12" in fast and "fast model" in fast and " ms" in fast
+    assert "clocked core" in clocked
+    for name in ("disparity.png", "disparity_color.png"):
+        assert png_size(tmp_path / "out" / name) == (WIDTH - DISPARITIES, HEIGHT)
+    pictures = ["disparity.png", "disparity_color.png", "overview.png"]
+    for name in pictures:
+        assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "clocked" / name).read_bytes()
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == sorted([*pictures, "match.json"])
+
+
+def match_facts(tmp_path):
+    return json.loads((tmp_path / "out" / "match.json").read_text())
+
+
+def test_match_writes_its_facts(tmp_path, match, pair):
+    succeed(*match)
+    facts = match_facts(tmp_path)
+    assert facts.pop("milliseconds") >= 0
+    assert facts == {
+        "format": "stereo-hls match 1", "config": "tiny", "engine": "fast", "left": str(pair[1]), "right": str(pair[3]),
+        "fit": "none", "width_px": WIDTH, "height_px": HEIGHT, "disparities": DISPARITIES, "window_px": 3,
+        "min_disparity": 0, "reference": "right", "cost": "sad", "census_width_px": 5, "census_height_px": 5,
+        "prefilter": "none", "prefilter_cap": 31, "ties": "smallest", "left_right_threshold": -1,
+        "uniqueness_percent": 0, "texture_threshold": 0, "subpixel": False, "median": False,
+        "output_width_px": WIDTH - DISPARITIES, "output_height_px": HEIGHT, "output_first_column": 0,
+        "disparity_steps_per_px": 1, "density": 1}
+
+
+def configurations():
+    return sorted(json.loads(succeed("configurations", "--json"))) if PROGRAM else []
+
+
+@pytest.mark.parametrize("config", configurations())
+def test_every_configuration_on_its_scene(tmp_path, config):
+    """Both engines write the same; the files, their depth and the truth are those of the configuration's options."""
+    scene = tmp_path / "s"
+    succeed("scene", "--out", scene, "--seed", 1, "--config", config)
+    match = ["match", "--config", config, "--left", scene / "left.png", "--right", scene / "right.png"]
+    succeed(*match, "--out", tmp_path / "first")
+    side = json.loads((tmp_path / "first" / "match.json").read_text())["reference"]
+    truth = ["--truth", scene / f"disparity_{side}.png", "--visible", scene / f"visible_{side}.png"]
+    facts = {}
+    for engine in ("fast", "clocked"):
+        succeed(*match, *truth, "--engine", engine, "--out", tmp_path / engine)
+        facts[engine] = json.loads((tmp_path / engine / "match.json").read_text())
+    pictures = sorted(p.name for p in (tmp_path / "fast").iterdir() if p.suffix == ".png")
+    for name in pictures:
+        assert (tmp_path / "fast" / name).read_bytes() == (tmp_path / "clocked" / name).read_bytes(), name
+    for different in ("engine", "milliseconds"):
+        assert facts["fast"].pop(different) != facts["clocked"].pop(different)
+    assert facts["fast"] == facts["clocked"]
+
+    found = facts["fast"]
+    checks = found["left_right_threshold"] >= 0 or found["uniqueness_percent"] > 0 or found["texture_threshold"] > 0
+    assert ("valid.png" in pictures) == checks
+    assert checks or found["density"] == 1
+    assert png_depth(tmp_path / "fast" / "disparity.png") == (16 if found["subpixel"] else 8)
+    assert found["disparity_steps_per_px"] == (16 if found["subpixel"] else 1)
+    assert 0 < found["density"] <= 1
+    score = found["truth"]
+    assert 0 < score["compared_px"] + score["invalid_px"] <= found["output_width_px"] * found["output_height_px"]
+    assert score["bad_px"] < 0.25 * score["compared_px"]
+
+
+def test_overview_enlarges_small_images_only(tmp_path, match):
+    succeed(*match)
+    width, height = png_size(tmp_path / "out" / "overview.png")
+    assert width > 3 * 7 * WIDTH and 7 * HEIGHT < height < 9 * HEIGHT + 40, "tiny is enlarged seven times"
+    for option, name in (("--left", "big_l.pgm"), ("--right", "big_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, 300, 200))
+    succeed(*match)
+    width, height = png_size(tmp_path / "out" / "overview.png")
+    assert 3 * 300 < width < 4 * 300 and 200 < height < 250
+
+
+@pytest.mark.parametrize("width, height", [(DISPARITIES + 1, 1), (DISPARITIES + 1, 700), (1500, 1)])
+def test_overview_of_odd_sizes(tmp_path, match, width, height):
+    for option, name in (("--left", "odd_l.pgm"), ("--right", "odd_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, width, height))
+    succeed(*match)
+    size = png_size(tmp_path / "out" / "overview.png")
+    assert size[0] > 3 * width and size[1] > height
+
+
+def test_match_counts_bad_pixels(tmp_path, match):
+    """A pair shifted by 3 has disparity 3 everywhere but where the shift leaves the image."""
+    ground = [[random.Random(x * 100 + y).randrange(256) for x in range(WIDTH + 3)] for y in range(HEIGHT)]
+    match = changed(match, "--left", gray_image(tmp_path / "l.pgm", lambda x, y: ground[y][x]))
+    match = changed(match, "--right", gray_image(tmp_path / "r.pgm", lambda x, y: ground[y][x + 3]))
+    # Row 2: off by one, which is allowed; row 3: off by two; row 4: off, but not visible.
+    truth = gray_image(tmp_path / "t.pgm", lambda x, y: 3 + {2: 1, 3: 2, 4: 2}.get(y, 0))
+    visible = gray_image(tmp_path / "v.pgm", lambda x, y: 0 if y == 4 else 255)
+    out = succeed(*match, "--truth", truth, "--visible", visible)
+    columns = WIDTH - DISPARITIES
+    assert f"bad pixels (> 1 px): {columns} of {columns * (HEIGHT - 1)} visible ones (9.09 %)" in out
+    assert match_facts(tmp_path)["truth"] == {
+        "disparity": str(truth), "visible": str(visible), "tolerance_px": 1, "compared_px": columns * (HEIGHT - 1),
+        "bad_px": columns, "invalid_px": 0}
+
+
+def test_match_on_the_generated_scene_is_mostly_right(tmp_path, match):
+    succeed("scene", "--out", tmp_path / "s", "--seed", 1, "--config", "tiny")
+    for option, name in (("--left", "left.png"), ("--right", "right.png")):
+        match = changed(match, option, tmp_path / "s" / name)
+    succeed(*match, "--truth", tmp_path / "s" / "disparity_right.png", "--visible", tmp_path / "s" / "visible_right.png")
+    truth = match_facts(tmp_path)["truth"]
+    assert 0 < truth["compared_px"] <= (WIDTH - DISPARITIES) * HEIGHT and truth["bad_px"] < 0.1 * truth["compared_px"]
+
+
+def test_truth_that_does_not_fit(tmp_path, match):
+    image = write_image(tmp_path / "t.pgm")
+    other = write_image(tmp_path / "other.pgm", WIDTH - 1, HEIGHT)
+    fail(tmp_path, *match, "--truth", image, says=["--visible"])
+    fail(tmp_path, *match, "--visible", image, says=["--truth"])
+    fail(tmp_path, *match, "--truth", other, "--visible", image, says=["--truth", other, "31x12", "32x12"])
+    fail(tmp_path, *match, "--truth", image, "--visible", other, says=["--visible", other, "31x12", "32x12"])
+    fail(tmp_path, *match, "--truth", tmp_path / "no.png", "--visible", image, says=["no.png", "no such file"])
+
+
+def test_match_fast_takes_any_size_and_says_so(tmp_path, match):
+    for option, name in (("--left", "big_l.pgm"), ("--right", "big_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, 50, 20))
+    assert "50x20, not the 32x12 of tiny" in succeed(*match)
+    assert png_size(tmp_path / "out" / "disparity.png") == (50 - DISPARITIES, 20)
+
+
+@pytest.mark.parametrize("fit, verb", [("crop", "cropped"), ("resize", "resized")])
+def test_match_fits_images_and_says_so(tmp_path, match, fit, verb):
+    for option, name in (("--left", "big_l.pgm"), ("--right", "big_r.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, 50, 20))
+    out = succeed(*match, "--engine", "clocked", "--fit", fit)
+    assert f"images {verb} from 50x20 to" in out
+    assert png_size(tmp_path / "out" / "disparity.png") == (WIDTH - DISPARITIES, HEIGHT)
+    fail(tmp_path, *match, "--engine", "clocked", says=["50x20", "32x12", "--fit crop"])
+
+
+def test_colour_is_converted_and_said(tmp_path, match):
+    color = write_image(tmp_path / "color.ppm", channels=3)
+    assert f"{color}: colour image converted to grey" in succeed(*changed(match, "--left", color))
+
+
+def test_missing_and_unreadable_files(tmp_path, match):
+    fail(tmp_path, *changed(match, "--left", tmp_path / "none.png"), says=[tmp_path / "none.png", "no such file"])
+    text = tmp_path / "text.png"
+    text.write_text("not an image")
+    fail(tmp_path, *changed(match, "--right", text), says=[text, "not an image"])
+    fail(tmp_path, *changed(match, "--right", tmp_path), says=[tmp_path, "not an image"])
+
+
+def test_damaged_png(tmp_path, match):
+    succeed("scene", "--out", tmp_path / "s", "--seed", 1, "--config", "tiny")
+    damaged = tmp_path / "damaged.png"
+    damaged.write_bytes((tmp_path / "s" / "left.png").read_bytes()[:120])
+    fail(tmp_path, *changed(match, "--left", damaged), says=[damaged, "not an image"])
+
+
+def test_sizes_that_differ(tmp_path, match):
+    other = write_image(tmp_path / "other.pgm", WIDTH, HEIGHT + 1)
+    fail(tmp_path, *changed(match, "--right", other), says=["differ in size", other, "32x13", "32x12"])
+
+
+def test_sixteen_bit_images(tmp_path, match):
+    deep = write_image(tmp_path / "deep.pgm", maximum=65535)
+    fail(tmp_path, *changed(match, "--left", deep), says=[deep, "16 bits", "8-bit"])
+
+
+def test_width_not_above_the_disparity_range(tmp_path, match):
+    for option, name in (("--left", "l8.pgm"), ("--right", "r8.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, DISPARITIES, HEIGHT))
+    fail(tmp_path, *match, says=["l8.pgm", "8 pixels wide", "8 disparities"])
+
+
+def test_crop_of_images_too_small(tmp_path, match):
+    for option, name in (("--left", "ls.pgm"), ("--right", "rs.pgm")):
+        match = changed(match, option, write_image(tmp_path / name, WIDTH + 9, HEIGHT - 1))
+    fail(tmp_path, *match, "--fit", "crop", says=["--fit crop", "41x11", "32x12"])
+
+
+def test_file_that_cannot_be_replaced(tmp_path, match):
+    (tmp_path / "out" / "disparity_color.png").mkdir(parents=True)
+    fail(tmp_path, *match, says=["--out", "disparity_color.png"])

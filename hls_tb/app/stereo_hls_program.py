@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the program stereo_hls, env STEREO_HLS, on images made here."""
+
+import os
+import random
+import subprocess
+
+PROGRAM = os.environ.get("STEREO_HLS", "")
+WIDTH, HEIGHT, DISPARITIES = 32, 12, 8  # configuration tiny, as test_configurations_as_json checks
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def succeed(*arguments):
+    result = run(*arguments)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr == ""
+    return result.stdout
+
+
+def fail(folder, *arguments, says):
+    """Exit code 2, one line on stderr with all of `says` in it, nothing written."""
+    before = sorted(folder.rglob("*"))
+    result = run(*arguments)
+    assert result.returncode == 2, result.stderr
+    assert result.stderr.count("\n") == 1 and result.stderr.startswith("stereo_hls: "), result.stderr
+    for words in says:
+        assert str(words) in result.stderr
+    assert sorted(folder.rglob("*")) == before
+
+
+def write_image(path, width=WIDTH, height=HEIGHT, channels=1, maximum=255, seed=1):
+    """A random PGM or PPM file."""
+    count = width * height * channels * (1 if maximum < 256 else 2)
+    kind = b"P5" if channels == 1 else b"P6"
+    pixels = random.Random(seed).randbytes(count)
+    path.write_bytes(kind + f"\n{width} {height}\n{maximum}\n".encode() + pixels)
+    return path
+
+
+def png_size(path):
+    header = path.read_bytes()[:24]
+    assert header.startswith(b"\x89PNG")
+    return int.from_bytes(header[16:20], "big"), int.from_bytes(header[20:24], "big")
+
+
+def png_depth(path):
+    """Bits of a channel."""
+    return path.read_bytes()[24]
+
+
+def gray_image(path, value, width=WIDTH, height=HEIGHT):
+    """A PGM file with value(x, y) at each pixel."""
+    pixels = bytes(value(x, y) for y in range(height) for x in range(width))
+    path.write_bytes(f"P5\n{width} {height}\n255\n".encode() + pixels)
+    return path
+
+
+def changed(arguments, option, value):
+    arguments = list(arguments)
+    arguments[arguments.index(option) + 1] = value
+    return arguments

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/matching.hpp"
+
+namespace stereo::app {
+
+inline constexpr int kBadPixelTolerance = 1;  ///< pixels, as stereo benchmarks count
+
+struct TruthScore {
+   int compared = 0;  ///< visible pixels that have a valid disparity
+   int bad = 0;       ///< of those, off by more than the tolerance
+   int invalid = 0;   ///< visible pixels of the map whose disparity is not valid
+};
+
+/// Compares a map with the reference image's true disparities, in whole pixels; `visible` is 0 where they do not count.
+/// Both have the size of the reference image.
+TruthScore score_against_truth(const DisparityMap& map, const MatchingParameters& parameters, const GrayImage& truth,
+                               const GrayImage& visible);
+
+}  // namespace stereo::app

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""docs/features.md follows from the committed files, and its tables say what the files say."""
+
+import shutil
+
+import pytest
+from flow import features, figures, implement, manifest, performance
+from flow.families import STUDY, family
+from flow.tools import GENERATED_RTL, configurations
+from flow_commands import call
+
+AREA = {"luts": 5000, "ffs": 4000, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {},
+        "fmax_mhz": {"median": 150.0, "best": 150.0, "by_seed": {}}, "critical_path": {"from": "a", "to": "b", "block": "a"}}
+
+
+def rows(text):
+    return [line for line in text.splitlines() if line.startswith("| ")]
+
+
+def test_committed_page_is_up_to_date():
+    process = call("features.py", "--check")
+    assert process.returncode == 0, process.stderr
+
+
+def test_every_study_configuration_stands_on_the_page():
+    shown = {name for _, members in features.OPTIONS for name, _ in members} | set(features.DEPTHS)
+    assert shown == {name for name in configurations() if family(name) == STUDY}
+
+
+@pytest.fixture
+def folders(tmp_path, monkeypatch):
+    """The manifests of two configurations, with results of our making."""
+    for name, luts in (("study", 5000), ("study_lr", 6500)):
+        (tmp_path / name).mkdir()
+        entry = manifest.read(GENERATED_RTL / "tiny") | {"configuration": name}
+        manifest.write(tmp_path / name, entry)
+        implement.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
+    for module in (performance, implement):
+        monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
+    monkeypatch.setattr(features, "OPTIONS", [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])])
+    return tmp_path
+
+
+def test_options_stand_beside_the_plain_core(folders):
+    text = features.options_table()
+    plain, check, unknown = rows(text)[1:]
+    assert "| nothing | 384 |" in plain and "| 5,000 | - | 4,000 |" in plain
+    assert "| 6,500 | +1,500 |" in check and "| 150.0 | `study_lr` |" in check
+    assert unknown.count("| - ") >= 8
+
+
+def test_recursive_sums_need_a_gap_between_frames():
+    table = configurations()
+    direct, recursive = table["study_w7"], table["study_w7_recursive"]
+    assert figures.clocks_per_frame(direct) == 160 * 120
+    assert figures.clocks_per_frame(recursive) == 160 * (120 + 3)
+
+
+def test_the_page_of_a_missing_result_is_refused(folders):
+    shutil.rmtree(folders / "study_lr")
+    assert "| `study` |" in features.options_table()
