@@ -105,6 +105,13 @@ add_rejected_config(negative_texture texture_threshold=-1
                     "the texture threshold must be 0 ... the largest texture of a window")
 add_rejected_config(large_texture "texture_threshold=280,config.prefilter=stereo::Prefilter::xsobel"
                     "the texture threshold must be 0 ... the largest texture of a window")
+add_rejected_config(low_for_census "height_px=3,config.cost=stereo::Cost::census,config.census_height_px=7"
+                    "the image must be higher than the rows that a transform waits for")
+add_rejected_config(low_for_xsobel
+                    "height_px=4,config.window_px=2,config.pixels_per_clock=4,config.prefilter=stereo::Prefilter::xsobel"
+                    "the image must be higher than the rows that a transform waits for")
+add_rejected_config(low_for_median "height_px=2,config.window_px=2,config.pixels_per_clock=2,config.median=true"
+                    "the image must be higher than the row that a median waits for")
 add_rejected_config(small_slice slice_disparities=1 "a slice must hold at least 2 disparities")
 add_rejected_config(no_cost_clock cost_clocks=0 "the cost must take 1, 2 or 3 clocks")
 add_rejected_config(many_cost_clocks cost_clocks=4 "the cost must take 1, 2 or 3 clocks")
