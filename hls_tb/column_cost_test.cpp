@@ -27,7 +27,8 @@ struct Frame {
    explicit Frame(Random& random) {
       const bool extreme = random.percent(30);  // every cost as large as it gets
       const uint64_t mask = (uint64_t(1) << C.feature_bits()) - 1;
-      for (int i = 0; i < C.width_px * C.height_px; ++i) reference.push_back(extreme ? 0 : mix_bits(random.bits()) & mask);
+      for (int i = 0; i < C.width_px * C.height_px; ++i)
+         reference.push_back(extreme ? 0 : mix_bits(random.bits()) & mask);
       for (int i = 0; i < C.width_px * C.height_px * kCount; ++i)
          search.push_back(extreme ? mask : mix_bits(random.bits()) & mask);
    }
@@ -72,7 +73,8 @@ struct ColumnBench {
       pipeline.pop_front();
       ASSERT_EQ(block.tag, now.tag);
       for (std::size_t i = 0; i < now.column.size(); ++i)
-         ASSERT_EQ(int(block.column[i / kCount][i % kCount]), now.column[i]) << "lane " << i / kCount << " i=" << i % kCount;
+         ASSERT_EQ(int(block.column[i / kCount][i % kCount]), now.column[i])
+             << "lane " << i / kCount << " i=" << i % kCount;
       compared += int(now.column.size());
    }
    void bubble() {

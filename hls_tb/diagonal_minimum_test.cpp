@@ -24,9 +24,9 @@ using DiagonalConfig = Exactly<StereoConfig{.width_px = 40,
 
 template <class Config>
 class DiagonalMinimumTest : public ::testing::Test {};
-using Configs =
-    ::testing::Types<DiagonalConfig<Reference::right, Ties::smallest, 1>, DiagonalConfig<Reference::right, Ties::largest, 2>,
-                     DiagonalConfig<Reference::left, Ties::smallest, 2>, DiagonalConfig<Reference::left, Ties::largest, 1>>;
+using Configs = ::testing::Types<
+    DiagonalConfig<Reference::right, Ties::smallest, 1>, DiagonalConfig<Reference::right, Ties::largest, 2>,
+    DiagonalConfig<Reference::left, Ties::smallest, 2>, DiagonalConfig<Reference::left, Ties::largest, 1>>;
 TYPED_TEST_SUITE(DiagonalMinimumTest, Configs, ConfigNames);
 
 /// Window costs of the columns of one row of the map, for all lanes and disparities.
@@ -38,7 +38,8 @@ struct MapRow {
 
    MapRow(Random& random, int width_px) : width(width_px) {
       const int levels = 1 + random.below(4);  // few: many ties
-      for (int i = 0; i < width * P * D; ++i) sums.push_back(random.percent(90) ? random.below(levels) : random.below(2296));
+      for (int i = 0; i < width * P * D; ++i)
+         sums.push_back(random.percent(90) ? random.below(levels) : random.below(2296));
    }
    int at(int x, int p, int d) const { return sums[std::size_t((x * P + p) * D + d)]; }
 

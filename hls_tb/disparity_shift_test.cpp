@@ -41,8 +41,8 @@ struct History {
    Feature<C> before(int t, int age) const { return rows[t][rows[t].size() - 1 - std::size_t(age)]; }
 };
 
-/// A right pixel is compared with left ones at and to the right of it, the newest at the highest disparity; a left pixel
-/// with right ones at and to the left of it, the newest at the lowest.
+/// A right pixel is compared with left ones at and to the right of it, the newest at the highest disparity; a left
+/// pixel with right ones at and to the left of it, the newest at the lowest.
 template <const StereoConfig& C>
 int age(int count, int i) {
    return C.reference == Reference::right ? count - 1 - i : i;

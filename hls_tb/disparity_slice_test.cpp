@@ -57,7 +57,7 @@ struct Winner {
 template <const StereoConfig& C>
 struct Matched {
    static constexpr bool kRight = C.reference == Reference::right;
-   static constexpr int kAfter = kRight ? (C.window_px - 1) / 2 : C.window_px / 2;  ///< columns behind the centre
+   static constexpr int kAfter = kRight ? (C.window_px - 1) / 2 : C.window_px / 2;        ///< columns behind the centre
    std::vector<Column<C>> columns = std::vector<Column<C>>(C.disparities + C.window_px);  // reset: zeros came before
 
    int window_sum(int p, int d) const {
@@ -117,7 +117,8 @@ TYPED_TEST(DisparitySliceTest, FindTheWinnerOfAllDisparities) {
 template <const StereoConfig& C, int Disparities>
 void add_sizes(std::vector<int>& sizes) {
    using Slice = DisparitySlice<C, Disparities>;
-   EXPECT_EQ(Slice::kFirst, C.reference == Reference::right ? Disparities - Slice::kCount : C.disparities - Disparities);
+   EXPECT_EQ(Slice::kFirst,
+             C.reference == Reference::right ? Disparities - Slice::kCount : C.disparities - Disparities);
    sizes.push_back(Slice::kCount);
    if constexpr (!Slice::kIsLast) add_sizes<C, Slice::kRest>(sizes);
 }

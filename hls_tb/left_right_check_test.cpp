@@ -60,7 +60,7 @@ struct CheckBench {
    HeapMemories memories;
    LeftRightCheck<C> block{memories};
    std::deque<Record<C>> on_their_way = std::deque<Record<C>>(block.kAhead);
-   std::vector<Record<C>> records;                 ///< valid ones that have gone in
+   std::vector<Record<C>> records;                                     ///< valid ones that have gone in
    std::deque<int> pipeline = std::deque<int>(block.kClocks - 1, -1);  ///< number of the record, -1: a bubble
    int consistent = 0, inconsistent = 0;
 

@@ -19,9 +19,9 @@ struct Shape {
 
 template <class Shape>
 class PackedTest : public ::testing::Test {};
-using Shapes = ::testing::Types<Shape<1, 1>, Shape<1, 33>, Shape<5, 7>, Shape<8, 4>, Shape<8, 5>, Shape<10, 3>,
-                                Shape<11, 7>, Shape<16, 2>, Shape<17, 3>, Shape<32, 2>, Shape<33, 3>, Shape<62, 2>,
-                                Shape<64, 2>>;
+using Shapes =
+    ::testing::Types<Shape<1, 1>, Shape<1, 33>, Shape<5, 7>, Shape<8, 4>, Shape<8, 5>, Shape<10, 3>, Shape<11, 7>,
+                     Shape<16, 2>, Shape<17, 3>, Shape<32, 2>, Shape<33, 3>, Shape<62, 2>, Shape<64, 2>>;
 TYPED_TEST_SUITE(PackedTest, Shapes);
 
 /// By definition: word w holds the next floor(32 / bits) lanes, at least one, the first in its lowest bits.

@@ -90,7 +90,8 @@ TYPED_TEST(UniquenessTest, PassesAboveTheLimit) {
       Candidate<C> best = Candidate<C>::single(WindowCost<C>(cost), 77);
       best.below = best.above = best.cost;
       if (second >= 0) best.second = WindowCost<C>(second);
-      SCOPED_TRACE("cost " + std::to_string(cost) + " second " + std::to_string(second) + " or up to ten clocks before");
+      SCOPED_TRACE("cost " + std::to_string(cost) + " second " + std::to_string(second) +
+                   " or up to ten clocks before");
       bench.clock(best, passes, C.subpixel ? 16 * 77 : 77);
    };
    const auto around = [&](int64_t cost) {
@@ -120,7 +121,8 @@ int naive_subpixel(int d, int64_t u, int64_t v) {
 
 template <class Config>
 class SubpixelTest : public ::testing::Test {};
-using SubpixelConfigs = ::testing::Types<RefinementConfig<0, true, 1, Cost::ssd, 31>, RefinementConfig<0, true, 2, Cost::sad, 3>>;
+using SubpixelConfigs =
+    ::testing::Types<RefinementConfig<0, true, 1, Cost::ssd, 31>, RefinementConfig<0, true, 2, Cost::sad, 3>>;
 TYPED_TEST_SUITE(SubpixelTest, SubpixelConfigs, ConfigNames);
 
 TYPED_TEST(SubpixelTest, IsTheFormula) {
@@ -180,11 +182,8 @@ void needs_texture_too() {
 }
 
 TEST(Refinement, PixelsWithoutTextureDoNotPass) {
-   static constexpr StereoConfig alone{.width_px = 32,
-                                       .height_px = 12,
-                                       .disparities = 8,
-                                       .prefilter = Prefilter::xsobel,
-                                       .texture_threshold = 10};
+   static constexpr StereoConfig alone{
+       .width_px = 32, .height_px = 12, .disparities = 8, .prefilter = Prefilter::xsobel, .texture_threshold = 10};
    static constexpr StereoConfig with_uniqueness{.width_px = 32,
                                                  .height_px = 12,
                                                  .disparities = 8,

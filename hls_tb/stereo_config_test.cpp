@@ -72,10 +72,12 @@ TEST(StereoConfig, TheSizeOfTheMapIsThatOfTheModels) {
 TEST(StereoConfig, LargestCosts) {
    EXPECT_EQ((StereoConfig{.cost = Cost::ssd}).largest_pixel_cost(), 65025);
    EXPECT_EQ((StereoConfig{.cost = Cost::census}).largest_pixel_cost(), 24);
-   EXPECT_EQ((StereoConfig{.cost = Cost::census, .census_width_px = 9, .census_height_px = 7}).largest_pixel_cost(), 62);
+   EXPECT_EQ((StereoConfig{.cost = Cost::census, .census_width_px = 9, .census_height_px = 7}).largest_pixel_cost(),
+             62);
    EXPECT_EQ((StereoConfig{.prefilter = Prefilter::xsobel}).largest_pixel_cost(), 62);
-   EXPECT_EQ((StereoConfig{.cost = Cost::ssd, .prefilter = Prefilter::xsobel, .prefilter_cap = 63}).largest_pixel_cost(),
-             126 * 126);
+   EXPECT_EQ(
+       (StereoConfig{.cost = Cost::ssd, .prefilter = Prefilter::xsobel, .prefilter_cap = 63}).largest_pixel_cost(),
+       126 * 126);
    EXPECT_EQ((StereoConfig{.window_px = 31, .cost = Cost::ssd}).largest_window_cost(), 65025 * 961);
 }
 
@@ -97,7 +99,8 @@ TEST(ConfigurationTable, FindsEveryNameAndNoOther) {
       EXPECT_EQ(find_configuration(entry.name), &entry);
       EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " stands there twice";
    }
-   for (const char* name : {"ambrosch2007", "ambrosch2007_p2", "ambrosch2007_p4", "tiny", "tiny_p2", "tiny_p4", "tiny_all_p4"})
+   for (const char* name :
+        {"ambrosch2007", "ambrosch2007_p2", "ambrosch2007_p4", "tiny", "tiny_p2", "tiny_p4", "tiny_all_p4"})
       EXPECT_TRUE(names.contains(name)) << name;
    EXPECT_EQ(find_configuration("no such configuration"), nullptr);
 }

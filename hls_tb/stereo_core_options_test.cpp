@@ -18,7 +18,7 @@ class StereoCoreOptionsTest : public ::testing::TestWithParam<std::size_t> {
    const Configuration& core() const { return configuration_table()[GetParam()]; }
 };
 INSTANTIATE_TEST_SUITE_P(Named, StereoCoreOptionsTest, ::testing::Range(std::size_t(0), configuration_table().size()),
-                         [](const auto& info) { return configuration_table()[info.param].name; });
+                         [](const auto& test) { return configuration_table()[test.param].name; });
 
 bool is_small(const StereoConfig& config) { return config.width_px <= 100; }
 
@@ -34,7 +34,8 @@ std::vector<NamedPair> pairs_for(const StereoConfig& config) {
 }
 
 /// The frames one behind the other.
-std::vector<DisparityMap> core_maps(const Configuration& core, const std::vector<ImagePair>& frames, int stall_percent) {
+std::vector<DisparityMap> core_maps(const Configuration& core, const std::vector<ImagePair>& frames,
+                                    int stall_percent) {
    StimulusWriter writer(core.config.pixels_per_clock, stall_percent, test_seed());
    for (std::size_t i = 0; i < frames.size(); ++i) {
       if (i > 0) writer.gap(core.config);
@@ -58,7 +59,8 @@ TEST_P(StereoCoreOptionsTest, EqualsTheReference) {
             SCOPED_TRACE(pairs[i].name + ", " + std::to_string(frames) + " frames, " + std::to_string(stall_percent) +
                          " % stalls");
             std::vector<ImagePair> sent;
-            for (std::size_t frame = 0; frame < frames; ++frame) sent.push_back(pairs[(i + frame) % pairs.size()].images);
+            for (std::size_t frame = 0; frame < frames; ++frame)
+               sent.push_back(pairs[(i + frame) % pairs.size()].images);
             const auto maps = core_maps(core(), sent, stall_percent);
             ASSERT_EQ(maps.size(), frames);
             for (std::size_t frame = 0; frame < frames; ++frame) {
@@ -106,7 +108,7 @@ std::vector<std::size_t> small_ones() {
 
 class StereoCoreLatencyTest : public StereoCoreOptionsTest {};
 INSTANTIATE_TEST_SUITE_P(Named, StereoCoreLatencyTest, ::testing::ValuesIn(small_ones()),
-                         [](const auto& info) { return configuration_table()[info.param].name; });
+                         [](const auto& test) { return configuration_table()[test.param].name; });
 
 /// Records of a frame and its flush.
 int whole_frame(const StereoConfig& config) { return config.width_px * config.row_groups() + config.flush_groups(); }

@@ -48,7 +48,7 @@ class StereoCoreStreamTest : public ::testing::TestWithParam<std::size_t> {
    int frame_records() const { return config().width_px * config().row_groups(); }
 };
 INSTANTIATE_TEST_SUITE_P(Small, StereoCoreStreamTest, ::testing::Range(std::size_t(0), small_cores().size()),
-                         [](const auto& info) { return small_cores()[info.param].name; });
+                         [](const auto& test) { return small_cores()[test.param].name; });
 
 TEST_P(StereoCoreStreamTest, FramesOneBehindTheOtherEqualFramesAlone) {
    const std::vector<ImagePair> pairs = some_pairs(config(), 4);
@@ -140,8 +140,8 @@ TEST_P(StereoCoreStreamTest, LatencyIsTheConstantWithAndWithoutStalls) {
    }
 }
 
-/// Without the blocks behind the windows the constant is that of the paper's core, by definition: the last column of the
-/// lowest window.
+/// Without the blocks behind the windows the constant is that of the paper's core, by definition: the last column of
+/// the lowest window.
 TEST(StereoCoreStream, FirstOutputOfAPlainCoreComesWithTheLastColumnOfItsWindow) {
    for (const SmallCore& core : small_cores()) {
       const StereoConfig& c = core.config;

@@ -15,7 +15,7 @@ class StereoCoreTest : public ::testing::TestWithParam<std::size_t> {
    const SmallCore& core() const { return small_cores()[GetParam()]; }
 };
 INSTANTIATE_TEST_SUITE_P(Small, StereoCoreTest, ::testing::Range(std::size_t(0), small_cores().size()),
-                         [](const auto& info) { return small_cores()[info.param].name; });
+                         [](const auto& test) { return small_cores()[test.param].name; });
 
 void expect_exact(const SmallCore& core, const ImagePair& pair, int stall_percent) {
    const StereoConfig& config = core.config;

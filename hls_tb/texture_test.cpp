@@ -67,7 +67,8 @@ struct TextureBench {
       rows.tag = column.tag;
       for (int t = 0; t < kTaps; ++t) {
          rows.inside[t] = random.percent(85);
-         const int deviation = random.percent(80) ? random.below(3) - 1 : random.below(2 * C.prefilter_cap + 1) - C.prefilter_cap;
+         const int deviation =
+             random.percent(80) ? random.below(3) - 1 : random.below(2 * C.prefilter_cap + 1) - C.prefilter_cap;
          rows.reference[t] = Feature<C>(rows.inside[t] ? C.prefilter_cap + deviation : 0);
          if (rows.inside[t] && !column.tag.border_column) column.texture[std::size_t(t)] = std::abs(deviation);
       }

@@ -33,16 +33,14 @@ struct TreeType {
 
 template <class Tree>
 class WinnerTreeTest : public ::testing::Test {};
-using Trees =
-    ::testing::Types<TreeType<1, 2, 2>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>, TreeType<2, 3, 3, 1>,
-                     TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>,
-                     TreeType<4, 25, 2, 0, Ties::largest>, TreeType<1, 26, 3>, TreeType<1, 37, 7>,
-                     TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>,
-                     TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>, TreeType<2, 3, 2, 0, Ties::largest, Extras::both>,
-                     TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>,
-                     TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>,
-                     TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>, TreeType<1, 26, 3, 0, Ties::largest, Extras::both>,
-                     TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
+using Trees = ::testing::Types<
+    TreeType<1, 2, 2>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>, TreeType<2, 3, 3, 1>,
+    TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>, TreeType<4, 25, 2, 0, Ties::largest>,
+    TreeType<1, 26, 3>, TreeType<1, 37, 7>, TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>,
+    TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>, TreeType<2, 3, 2, 0, Ties::largest, Extras::both>,
+    TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>, TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>,
+    TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>, TreeType<1, 26, 3, 0, Ties::largest, Extras::both>,
+    TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
 TYPED_TEST_SUITE(WinnerTreeTest, Trees);
 
 /// Feeds a tree and compares its root.

@@ -13,8 +13,8 @@ namespace stereo::test {
 struct NaiveWinner {
    int index = -1;
    int cost = 0;
-   int second = -1;              ///< smallest cost that is not the winner's or beside it; -1: there is none
-   int below = -1, above = -1;   ///< costs beside the winner; -1: beyond the range
+   int second = -1;             ///< smallest cost that is not the winner's or beside it; -1: there is none
+   int below = -1, above = -1;  ///< costs beside the winner; -1: beyond the range
 
    NaiveWinner() = default;
    NaiveWinner(const std::vector<int>& costs, Ties ties) : cost(*std::min_element(costs.begin(), costs.end())) {

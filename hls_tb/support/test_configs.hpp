@@ -128,30 +128,29 @@ using SmallConfigs = ::testing::Types<
                          .cost_clocks = 2}>>;
 
 /// Recursive sums, of odd and even windows.
-using RecursiveConfigs =
-    ::testing::Types<Exactly<StereoConfig{.width_px = 12,
-                                          .height_px = 5,
-                                          .disparities = 4,
-                                          .aggregation = Aggregation::recursive,
-                                          .slice_disparities = 3}>,
-                     Exactly<StereoConfig{.width_px = 13,
-                                          .height_px = 10,
-                                          .disparities = 6,
-                                          .window_px = 8,
-                                          .pixels_per_clock = 2,
-                                          .min_disparity = 1,
-                                          .reference = Reference::left,
-                                          .cost = Cost::ssd,
-                                          .aggregation = Aggregation::recursive,
-                                          .slice_disparities = 3}>,
-                     Exactly<StereoConfig{.width_px = 15,
-                                          .height_px = 12,
-                                          .disparities = 6,
-                                          .window_px = 5,
-                                          .pixels_per_clock = 4,
-                                          .min_disparity = -1,
-                                          .aggregation = Aggregation::recursive,
-                                          .slice_disparities = 6}>>;
+using RecursiveConfigs = ::testing::Types<Exactly<StereoConfig{.width_px = 12,
+                                                               .height_px = 5,
+                                                               .disparities = 4,
+                                                               .aggregation = Aggregation::recursive,
+                                                               .slice_disparities = 3}>,
+                                          Exactly<StereoConfig{.width_px = 13,
+                                                               .height_px = 10,
+                                                               .disparities = 6,
+                                                               .window_px = 8,
+                                                               .pixels_per_clock = 2,
+                                                               .min_disparity = 1,
+                                                               .reference = Reference::left,
+                                                               .cost = Cost::ssd,
+                                                               .aggregation = Aggregation::recursive,
+                                                               .slice_disparities = 3}>,
+                                          Exactly<StereoConfig{.width_px = 15,
+                                                               .height_px = 12,
+                                                               .disparities = 6,
+                                                               .window_px = 5,
+                                                               .pixels_per_clock = 4,
+                                                               .min_disparity = -1,
+                                                               .aggregation = Aggregation::recursive,
+                                                               .slice_disparities = 6}>>;
 
 using AllSmallConfigs = Both<SmallConfigs, RecursiveConfigs>::Configs;
 

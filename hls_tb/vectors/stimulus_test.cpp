@@ -15,9 +15,7 @@
 namespace stereo::test {
 namespace {
 
-ImagePair pair_for(const StereoConfig& config) {
-   return random_pair(config.width_px, config.height_px, test_seed());
-}
+ImagePair pair_for(const StereoConfig& config) { return random_pair(config.width_px, config.height_px, test_seed()); }
 
 std::ptrdiff_t valid_clocks(const Stimulus& made) {
    return std::ranges::count_if(made.clocks, [](const StereoInput& in) { return in.valid; });
@@ -34,12 +32,14 @@ class StimulusTest : public ::testing::TestWithParam<const char*> {
    Stimulus stimulus(const StimulusOptions& options) const {
       return make_stimulus(core().name, config(), core().latency_clocks, pair_for(config()), options);
    }
-   std::vector<DisparityMap> maps(const Stimulus& made) const { return collect_frames(core().run(made.clocks), config()); }
+   std::vector<DisparityMap> maps(const Stimulus& made) const {
+      return collect_frames(core().run(made.clocks), config());
+   }
 };
 INSTANTIATE_TEST_SUITE_P(Named, StimulusTest,
                          ::testing::Values("tiny", "tiny_p2", "tiny_p4", "tiny_w5", "tiny_w6_p2", "tiny_w5_p4",
                                            "tiny_wide_range", "tiny_left_w4_p2", "tiny_all_p4", "tiny_all_recursive"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST_P(StimulusTest, WholeFramesAreFlushedAndDrained) {
    const StereoConfig& C = config();
@@ -164,8 +164,7 @@ TEST_P(StimulusTest, AllRowsAreAWholeFrame) {
 }
 
 TEST_P(StimulusTest, StallsAddBubblesWithGarbageAndChangeNothingElse) {
-   const Stimulus full_speed = stimulus({}),
-                  stalled = stimulus({.stall_percent = 50});
+   const Stimulus full_speed = stimulus({}), stalled = stimulus({.stall_percent = 50});
    EXPECT_EQ(valid_clocks(full_speed), valid_clocks(stalled));
    EXPECT_GT(stalled.clocks.size(), full_speed.clocks.size() * 3 / 2);
    const auto bubble_that_starts = [](const StereoInput& in) { return !in.valid && in.start_of_frame; };
