@@ -158,7 +158,7 @@ struct Median {
          passed[0][p] = select<bool>(at.arrives, (column[p + 1] & 1) != 0, passed[0][p]);
       }
       complete = at.output && ((at.arrives && !starts) || at.behind);
-      first = at.top && at.arrives && at.column == (kWidth > 1 ? 1 : 0);
+      first = at.top && (kWidth > 1 ? at.arrives && at.column == 1 : at.behind);
       last = at.behind;
    }
 

@@ -150,6 +150,9 @@ struct CheckedConfig {
                  "1, 2 or 4 pixel pairs can enter in a clock");
    static_assert(C.height_px % C.pixels_per_clock == 0, "the image height must be a multiple of the pixels per clock");
    static_assert(C.row_groups() > C.delay_groups(), "the image must be higher than the rows that a window waits for");
+   static_assert(!C.has_transform() || C.row_groups() > C.transform_groups(),
+                 "the image must be higher than the rows that a transform waits for");
+   static_assert(!C.median || C.row_groups() > 1, "the image must be higher than the row that a median waits for");
    static_assert(C.census_width_px >= 3 && C.census_width_px <= 9 && C.census_width_px % 2 == 1 &&
                      C.census_height_px >= 3 && C.census_height_px <= 7 && C.census_height_px % 2 == 1,
                  "the census window must be 3 ... 9 pixels wide and 3 ... 7 high, both odd");

@@ -2,8 +2,6 @@
 // The chain of slices from columns of pixels to the best disparity.
 #include "disparity_slice.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -11,100 +9,118 @@
 #include <vector>
 
 #include "models/random.hpp"
+#include "support/expect_candidate.hpp"
 #include "support/seed.hpp"
+#include "support/tags.hpp"
 #include "support/test_configs.hpp"
+#include "vectors/heap_memories.hpp"
 
 namespace stereo::test {
 namespace {
 
 template <class Config>
 class DisparitySliceTest : public ::testing::Test {};
-TYPED_TEST_SUITE(DisparitySliceTest, SmallConfigs, ConfigNames);
+/// Beside the small ones: all that the checks need, from slice to slice in both directions.
+using SliceConfigs = ::testing::Types<Exactly<StereoConfig{.width_px = 20,
+                                                           .height_px = 6,
+                                                           .disparities = 9,
+                                                           .ties = Ties::largest,
+                                                           .uniqueness_percent = 10,
+                                                           .subpixel = true,
+                                                           .slice_disparities = 2}>,
+                                      Exactly<StereoConfig{.width_px = 20,
+                                                           .height_px = 6,
+                                                           .disparities = 8,
+                                                           .window_px = 2,
+                                                           .pixels_per_clock = 2,
+                                                           .reference = Reference::left,
+                                                           .uniqueness_percent = 10,
+                                                           .subpixel = true,
+                                                           .slice_disparities = 3}>>;
+using Configs = Both<SmallConfigs, SliceConfigs>::Configs;
+TYPED_TEST_SUITE(DisparitySliceTest, Configs, ConfigNames);
 
 template <const StereoConfig& C>
 struct Column {
-   uint8_t left[C.tap_rows()] = {}, right[C.tap_rows()] = {};
+   Feature<C> search[C.tap_rows()] = {}, reference[C.tap_rows()] = {};
    PixelTag tag;
 };
 
 template <const StereoConfig& C>
 struct Winner {
    PixelTag tag;
-   std::array<int, C.pixels_per_clock> cost{}, disparity{};
+   std::array<NaiveWinner, C.pixels_per_clock> lanes;
 };
 
-/// All records so far. Column n holds R(x) and L(x+D-1), so L(x+d) came with column n-(D-1)+d.
+/// All records so far. With a right reference, column n holds R(x) and L(x+m+D-1), so L(x+m+d) came with column
+/// n-(D-1)+d; with a left one L(x) and R(x-m), so R(x-m-d) came with column n-d.
 template <const StereoConfig& C>
 struct Matched {
+   static constexpr bool kRight = C.reference == Reference::right;
+   static constexpr int kAfter = kRight ? (C.window_px - 1) / 2 : C.window_px / 2;        ///< columns behind the centre
    std::vector<Column<C>> columns = std::vector<Column<C>>(C.disparities + C.window_px);  // reset: zeros came before
 
    int window_sum(int p, int d) const {
       int sum = 0;
       for (std::size_t n = columns.size() - C.window_px; n < columns.size(); ++n) {
          if (columns[n].tag.border_column) continue;
-         const Column<C>& left = columns[n - std::size_t(C.disparities - 1 - d)];
-         for (int t = p; t < p + C.window_px; ++t) sum += std::abs(columns[n].right[t] - left.left[t]);
+         const Column<C>& other = columns[n - std::size_t(kRight ? C.disparities - 1 - d : d)];
+         for (int t = p; t < p + C.window_px; ++t) sum += std::abs(columns[n].reference[t] - other.search[t]);
       }
       return sum;
    }
 
    Winner<C> winner() const {
       Winner<C> winner;
-      winner.tag = columns[columns.size() - 1 - C.radius_px()].tag;
+      winner.tag = columns[columns.size() - 1 - kAfter].tag;
       winner.tag.valid = true;
       for (std::size_t p = 0; p < C.pixels_per_clock; ++p) {
          std::vector<int> sums;
          for (int d = 0; d < C.disparities; ++d) sums.push_back(window_sum(int(p), d));
-         const auto smallest = std::min_element(sums.begin(), sums.end());
-         winner.cost[p] = *smallest;
-         winner.disparity[p] = int(smallest - sums.begin());
+         winner.lanes[p] = NaiveWinner(sums, C.ties);
       }
       return winner;
    }
 };
 
-TYPED_TEST(DisparitySliceTest, FindsTheSmallestDisparityOfTheSmallestSum) {
+TYPED_TEST(DisparitySliceTest, FindTheWinnerOfAllDisparities) {
    static constexpr StereoConfig C = TypeParam::kConfig;
    using Slices = DisparitySlice<C, C.disparities>;
    Random random(test_seed());
-   Slices slices;
+   HeapMemories memories;
+   Slices slices(memories);
    Matched<C> matched;
    std::deque<Winner<C>> pipeline(Slices::latency() - 1);
    for (int clock = 0; clock < 1000; ++clock) {
       Column<C> in;
-      in.tag = {.valid = !random.percent(25),
-                .border_column = random.percent(10),
-                .output_column = random.percent(50),
-                .start_of_frame = random.percent(50),
-                .end_of_line = random.percent(50)};
+      in.tag = random_tag(random);
+      in.tag.border_column = random.percent(10);
       const int levels = clock % 200 < 40 ? 1 : clock % 200 < 120 ? 2 : 256;  // 1 and 2: ties
-      for (uint8_t& pixel : in.left) pixel = uint8_t(random.below(levels));
-      for (uint8_t& pixel : in.right) pixel = uint8_t(random.below(levels));
+      for (auto& pixel : in.search) pixel = Feature<C>(random.below(levels));
+      for (auto& pixel : in.reference) pixel = Feature<C>(random.below(levels));
       if (in.tag.valid) matched.columns.push_back(in);
       pipeline.push_back(in.tag.valid ? matched.winner() : Winner<C>{});
-      slices.clock(in.left, in.right, in.tag, NoRival<C.pixels_per_clock>());
+      slices.clock(in.search, in.reference, in.tag, NoRival<C>());
       const Winner<C> expected = pipeline.front();
       pipeline.pop_front();
       const auto& last = slices.last();
       ASSERT_EQ(last.best_tag.valid, expected.tag.valid) << "clock " << clock;
       if (!expected.tag.valid) continue;
-      ASSERT_EQ(last.best_tag.output_column, expected.tag.output_column) << "clock " << clock;
-      ASSERT_EQ(last.best_tag.start_of_frame, expected.tag.start_of_frame) << "clock " << clock;
-      ASSERT_EQ(last.best_tag.end_of_line, expected.tag.end_of_line) << "clock " << clock;
-      for (std::size_t p = 0; p < C.pixels_per_clock; ++p) {
-         ASSERT_EQ(last.best_cost[p], expected.cost[p]) << "clock " << clock << " lane " << p;
-         ASSERT_EQ(last.best_disparity[p], expected.disparity[p]) << "clock " << clock << " lane " << p;
-      }
+      ASSERT_PRED2(same_centre, expected.tag, last.best_tag) << "clock " << clock;
+      for (std::size_t p = 0; p < C.pixels_per_clock; ++p)
+         ASSERT_NO_FATAL_FAILURE(expect_candidate<C>(expected.lanes[p], last.best.get(int(p), 0)))
+             << "clock " << clock << " lane " << p;
    }
 }
 
-/// Adds the sizes of the slices, the highest disparities first.
+/// Adds the sizes of the slices, in the order in which the searched pixels meet them.
 template <const StereoConfig& C, int Disparities>
 void add_sizes(std::vector<int>& sizes) {
    using Slice = DisparitySlice<C, Disparities>;
-   EXPECT_EQ(Slice::kFirst + Slice::kCount, Disparities);
+   EXPECT_EQ(Slice::kFirst,
+             C.reference == Reference::right ? Disparities - Slice::kCount : C.disparities - Disparities);
    sizes.push_back(Slice::kCount);
-   if constexpr (!Slice::kIsLast) add_sizes<C, Slice::kFirst>(sizes);
+   if constexpr (!Slice::kIsLast) add_sizes<C, Slice::kRest>(sizes);
 }
 
 TYPED_TEST(DisparitySliceTest, HoldEachDisparityOnce) {

@@ -25,17 +25,17 @@ TYPED_TEST(SadCostTest, AbsoluteDifferenceOfAllPairs) {
    for (int t = 0; t < C.tap_rows(); ++t) {
       for (int a = 0; a < 256; ++a)
          for (int b = 0; b < 256; ++b) {
-            shift.left[t][0] = shift.right[t] = uint8_t(a);  // no difference, whatever the grey value
-            shift.left[t][1] = uint8_t(b);
+            shift.search[t][0] = shift.reference[t] = uint8_t(a);  // no difference, whatever the grey value
+            shift.search[t][1] = uint8_t(b);
             for (int clock = 0; clock < C.cost_clocks; ++clock) cost.clock(shift);
             for (int p = 0; p < C.pixels_per_clock; ++p) {
-               const bool covered = t >= p && t <= p + 2 * C.radius_px();
+               const bool covered = t >= p && t < p + C.window_px;
                ASSERT_EQ(cost.column[p][0], 0) << "lane " << p << " t=" << t << " a=" << a;
                ASSERT_EQ(cost.column[p][1], covered ? std::abs(a - b) : 0)
                    << "lane " << p << " t=" << t << " a=" << a << " b=" << b;
             }
          }
-      shift.left[t][1] = shift.right[t];
+      shift.search[t][1] = shift.reference[t];
    }
 }
 
@@ -55,15 +55,15 @@ TYPED_TEST(SadCostTest, SumsTheColumnOfEachWindow) {
       now.tag.valid = !random.percent(25);
       now.tag.border_column = random.percent(25);
       now.tag.output_column = random.percent(50);
-      const bool saturated = random.percent(20), left_is_white = random.percent(50);
+      const bool saturated = random.percent(20), search_is_white = random.percent(50);
       for (int t = 0; t < kTaps; ++t) {
-         shift.right[t] = saturated ? (left_is_white ? 0 : 255) : random.byte();
+         shift.reference[t] = saturated ? (search_is_white ? 0 : 255) : random.byte();
          for (int i = 0; i < kCount; ++i) {
-            shift.left[t][i] = saturated ? (left_is_white ? 255 : 0) : random.byte();
+            shift.search[t][i] = saturated ? (search_is_white ? 255 : 0) : random.byte();
             if (now.tag.border_column) continue;
             for (int p = 0; p < P; ++p)
                if (t >= p && t < p + C.window_px)
-                  now.column[std::size_t(p * kCount + i)] += std::abs(shift.right[t] - shift.left[t][i]);
+                  now.column[std::size_t(p * kCount + i)] += std::abs(shift.reference[t] - shift.search[t][i]);
          }
       }
       shift.tag = now.tag;

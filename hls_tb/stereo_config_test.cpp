@@ -7,6 +7,7 @@
 
 #include "support/test_configs.hpp"
 #include "vectors/configuration_table.hpp"
+#include "vectors/matching_parameters.hpp"
 
 namespace stereo::test {
 namespace {
@@ -20,25 +21,64 @@ TEST(StereoConfig, AmbroschIsThePapersConfiguration) {
    EXPECT_EQ(C.output_width_px(), 220);
    EXPECT_EQ(C.output_height_px(), 240);
    EXPECT_EQ(C.largest_window_cost(), 9 * 255);
+   EXPECT_EQ(C.disparity_bits(), 8);
 }
 
-/// By definition: the lowest window of a group of P rows ends r rows below it; all of them cover P + 2r rows, of which
-/// the newest group gives those that it holds.
-TEST(StereoConfig, RowsOfTheWindowsFollowFromTheirRadius) {
-   for (const int window : {3, 5})
-      for (const int pixels : {1, 2, 4}) {
-         const StereoConfig config{
-             .width_px = 32, .height_px = 16, .disparities = 8, .window_px = window, .pixels_per_clock = pixels};
-         const int r = window / 2;
-         EXPECT_EQ(config.radius_px(), r);
-         int delay = 0;
-         while (delay * pixels < r) ++delay;
-         EXPECT_EQ(config.delay_groups(), delay) << "P=" << pixels << " B=" << window;
-         EXPECT_EQ(config.row_groups(), 16 / pixels);
-         EXPECT_EQ(config.tap_rows(), pixels + 2 * r);
-         const int top = -r, newest_group = delay * pixels;  // seen from the first row of the windows' centres
-         EXPECT_EQ(config.stored_rows(), newest_group - top) << "P=" << pixels << " B=" << window;
+/// By definition: the lowest window of a group of P rows ends rows_below below it; all of them cover P + B - 1 rows, of
+/// which the newest group gives those that it holds. Recursive sums need the row above them, too.
+TEST(StereoConfig, RowsOfTheWindowsFollowFromTheirSide) {
+   for (const Aggregation aggregation : {Aggregation::direct, Aggregation::recursive})
+      for (const int window : {2, 3, 4, 5, 8, 31})
+         for (const int pixels : {1, 2, 4}) {
+            const StereoConfig config{.width_px = 64,
+                                      .height_px = 48,
+                                      .disparities = 32,
+                                      .window_px = window,
+                                      .pixels_per_clock = pixels,
+                                      .aggregation = aggregation};
+            SCOPED_TRACE(config_name(config));
+            int above = 0, below = 0;  // rows beside the centre: of an even window one more above
+            for (int row = 1; row < window; ++row) ++(row % 2 == 1 ? above : below);
+            EXPECT_EQ(config.rows_above(), above);
+            EXPECT_EQ(config.rows_below(), below);
+            int delay = 0;
+            while (delay * pixels < below) ++delay;
+            EXPECT_EQ(config.delay_groups(), delay);
+            EXPECT_EQ(config.row_groups(), 48 / pixels);
+            const std::vector<int> taps = tap_offsets(config);
+            ASSERT_EQ(config.tap_rows(), int(taps.size()));
+            for (std::size_t t = 0; t < taps.size(); ++t) EXPECT_EQ(config.top_row() + config.tap_row(int(t)), taps[t]);
+            const int newest_group = delay * pixels;  // seen from the first row of the windows' centres
+            EXPECT_EQ(config.stored_rows(), newest_group - taps[0]);
+         }
+}
+
+TEST(StereoConfig, TheSizeOfTheMapIsThatOfTheModels) {
+   for (const Reference reference : {Reference::right, Reference::left})
+      for (int min_disparity = -40; min_disparity <= 20; ++min_disparity) {
+         const StereoConfig config{.width_px = 50,
+                                   .height_px = 20,
+                                   .disparities = 10,
+                                   .min_disparity = min_disparity,
+                                   .reference = reference};
+         const MatchingParameters parameters = matching_parameters(config);
+         SCOPED_TRACE(config_name(config));
+         EXPECT_EQ(config.cost_columns(), cost_columns(50, parameters));
+         EXPECT_EQ(config.output_width_px(), map_width(50, parameters));
+         EXPECT_EQ(config.output_first_column(), map_first_column(parameters));
       }
+}
+
+TEST(StereoConfig, LargestCosts) {
+   EXPECT_EQ((StereoConfig{.cost = Cost::ssd}).largest_pixel_cost(), 65025);
+   EXPECT_EQ((StereoConfig{.cost = Cost::census}).largest_pixel_cost(), 24);
+   EXPECT_EQ((StereoConfig{.cost = Cost::census, .census_width_px = 9, .census_height_px = 7}).largest_pixel_cost(),
+             62);
+   EXPECT_EQ((StereoConfig{.prefilter = Prefilter::xsobel}).largest_pixel_cost(), 62);
+   EXPECT_EQ(
+       (StereoConfig{.cost = Cost::ssd, .prefilter = Prefilter::xsobel, .prefilter_cap = 63}).largest_pixel_cost(),
+       126 * 126);
+   EXPECT_EQ((StereoConfig{.window_px = 31, .cost = Cost::ssd}).largest_window_cost(), 65025 * 961);
 }
 
 TEST(StereoConfig, OnlyTheRowsAtOnceTellThePapersConfigurationsApart) {
@@ -59,7 +99,8 @@ TEST(ConfigurationTable, FindsEveryNameAndNoOther) {
       EXPECT_EQ(find_configuration(entry.name), &entry);
       EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " stands there twice";
    }
-   for (const char* name : {"ambrosch2007", "ambrosch2007_p2", "ambrosch2007_p4", "tiny", "tiny_p2", "tiny_p4"})
+   for (const char* name :
+        {"ambrosch2007", "ambrosch2007_p2", "ambrosch2007_p4", "tiny", "tiny_p2", "tiny_p4", "tiny_all_p4"})
       EXPECT_TRUE(names.contains(name)) << name;
    EXPECT_EQ(find_configuration("no such configuration"), nullptr);
 }

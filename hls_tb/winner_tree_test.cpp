@@ -1,78 +1,105 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "winner_tree.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
 #include <deque>
 
 #include "models/random.hpp"
+#include "support/expect_candidate.hpp"
 #include "support/seed.hpp"
+#include "support/tags.hpp"
 
 namespace stereo::test {
 namespace {
 
+enum class Extras { none, second, neighbours, both };
+
 /// `Spare`: levels beyond those that N candidates need.
-template <int Pixels, int N, int Group, int Spare = 0>
+template <int Pixels, int N, int Group, int Spare = 0, Ties Rule = Ties::smallest, Extras Needs = Extras::none>
 struct TreeType {
-   static constexpr int kPixels = Pixels;
+   static constexpr StereoConfig kConfig{.width_px = 64,
+                                         .height_px = 32,
+                                         .disparities = 32,
+                                         .window_px = 16,
+                                         .pixels_per_clock = Pixels,
+                                         .ties = Rule,
+                                         .uniqueness_percent = Needs == Extras::second || Needs == Extras::both ? 5 : 0,
+                                         .subpixel = Needs == Extras::neighbours || Needs == Extras::both,
+                                         .winner_group = Group};
    static constexpr int kCandidates = N;
-   static constexpr int kGroup = Group;
    static constexpr int kLevels = winner_levels(N, Group) + Spare;
-   using Tree = WinnerTree<Pixels, N, Group, kLevels>;
+   using Tree = WinnerTree<kConfig, N, kLevels>;
 };
 
 template <class Tree>
 class WinnerTreeTest : public ::testing::Test {};
-using Trees = ::testing::Types<TreeType<1, 2, 2>, TreeType<2, 2, 2, 3>, TreeType<1, 2, 16>, TreeType<4, 3, 2>,
-                               TreeType<2, 3, 3, 1>, TreeType<1, 4, 4>, TreeType<4, 5, 4>, TreeType<1, 8, 2>,
-                               TreeType<2, 17, 16>, TreeType<4, 25, 2>, TreeType<2, 25, 2, 2>, TreeType<1, 26, 3>,
-                               TreeType<1, 37, 7>, TreeType<1, 64, 4>, TreeType<2, 100, 3>, TreeType<4, 100, 4, 2>,
-                               TreeType<1, 255, 16>, TreeType<1, 256, 2>, TreeType<4, 256, 4>>;
+using Trees = ::testing::Types<
+    TreeType<1, 2, 2>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>, TreeType<2, 3, 3, 1>,
+    TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>, TreeType<4, 25, 2, 0, Ties::largest>,
+    TreeType<1, 26, 3>, TreeType<1, 37, 7>, TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>,
+    TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>, TreeType<2, 3, 2, 0, Ties::largest, Extras::both>,
+    TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>, TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>,
+    TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>, TreeType<1, 26, 3, 0, Ties::largest, Extras::both>,
+    TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
 TYPED_TEST_SUITE(WinnerTreeTest, Trees);
 
-TYPED_TEST(WinnerTreeTest, FindsTheFirstSmallest) {
-   constexpr int P = TypeParam::kPixels, N = TypeParam::kCandidates;
-   struct Winner {
+/// Feeds a tree and compares its root.
+template <class Type, const StereoConfig& C = Type::kConfig>
+struct TreeBench {
+   static constexpr int P = C.pixels_per_clock, N = Type::kCandidates;
+   struct Step {
       PixelTag tag;
-      std::array<int, P> index{}, cost{};
+      std::array<NaiveWinner, P> winners;
    };
-   Random random(test_seed());
-   typename TypeParam::Tree tree;
-   std::deque<Winner> pipeline(TypeParam::kLevels - 1);  // the winners on their way
-   for (int clock = 0; clock < 2000; ++clock) {
-      uint16_t costs[P][N];
-      Winner winner;
-      winner.tag.valid = !random.percent(25);
-      winner.tag.end_of_line = random.percent(50);
+
+   Random random{test_seed()};
+   typename Type::Tree tree;
+   std::deque<Step> pipeline = std::deque<Step>(Type::kLevels - 1);  // the winners on their way
+   int compared = 0;
+
+   /// costs: of lane 0; each further lane has them turned by one disparity.
+   void clock(std::vector<int> costs) {
+      Step step{random_tag(random), {}};
+      WindowCost<C> shown[P][N];
       for (int p = 0; p < P; ++p) {
-         const int levels[] = {1, 2, 3, 10, 65536};  // 1: all tie
-         const int count = levels[random.below(5)];
-         for (uint16_t& cost : costs[p]) cost = uint16_t(65535 - random.below(count));
-         const uint16_t* const smallest = std::min_element(costs[p], costs[p] + N);
-         winner.index[std::size_t(p)] = int(smallest - costs[p]);
-         winner.cost[std::size_t(p)] = *smallest;
+         for (int d = 0; d < N; ++d) shown[p][d] = WindowCost<C>(costs[std::size_t(d)]);
+         step.winners[std::size_t(p)] = NaiveWinner(costs, C.ties);
+         std::rotate(costs.begin(), costs.begin() + 1, costs.end());
       }
-      tree.clock(costs, winner.tag);
-      pipeline.push_back(winner);
-      const Winner expected = pipeline.front();
+      tree.clock(shown, step.tag);
+      pipeline.push_back(step);
+      const Step expected = pipeline.front();
       pipeline.pop_front();
-      const auto& root = tree.root();
-      ASSERT_EQ(root.tag.valid, expected.tag.valid) << "clock " << clock;
-      ASSERT_EQ(root.tag.end_of_line, expected.tag.end_of_line) << "clock " << clock;
-      if (!expected.tag.valid) continue;
-      for (int p = 0; p < P; ++p) {
-         ASSERT_EQ(root.index[p][0], expected.index[std::size_t(p)]) << "clock " << clock << " lane " << p;
-         ASSERT_EQ(root.cost[p][0], expected.cost[std::size_t(p)]) << "clock " << clock << " lane " << p;
-      }
+      ASSERT_EQ(tree.root().tag, expected.tag);
+      if (!expected.tag.valid) return;
+      ++compared;
+      for (int p = 0; p < P; ++p)
+         ASSERT_NO_FATAL_FAILURE(expect_candidate<C>(expected.winners[std::size_t(p)], tree.root().best.get(p, 0)))
+             << "lane " << p;
    }
+};
+
+TYPED_TEST(WinnerTreeTest, FindsTheWinnerAndWhatTheChecksNeed) {
+   constexpr int N = TypeParam::kCandidates;
+   TreeBench<TypeParam> bench;
+   if (N <= 5)
+      for_all_costs(N, 4, [&bench](const std::vector<int>& costs) {
+         if (!::testing::Test::HasFatalFailure()) bench.clock(costs);
+      });
+   for (int clock = 0; clock < 1000 && !::testing::Test::HasFatalFailure(); ++clock) {
+      const int levels[] = {1, 2, 3, 10, 65281}, count = levels[bench.random.below(5)];  // 1: all tie
+      std::vector<int> costs(N);
+      for (int& cost : costs) cost = TypeParam::kConfig.largest_window_cost() - bench.random.below(count);
+      bench.clock(costs);
+   }
+   EXPECT_GT(bench.compared, 500);
 }
 
 TYPED_TEST(WinnerTreeTest, HasAsManyLevelsAsNeeded) {
+   constexpr int kGroup = TypeParam::kConfig.winner_group;
    int levels = 0;
-   for (int64_t reach = 1; reach < TypeParam::kCandidates; reach *= TypeParam::kGroup) ++levels;
-   EXPECT_EQ(winner_levels(TypeParam::kCandidates, TypeParam::kGroup), levels);
+   for (int64_t reach = 1; reach < TypeParam::kCandidates; reach *= kGroup) ++levels;
+   EXPECT_EQ(winner_levels(TypeParam::kCandidates, kGroup), levels);
 }
 
 }  // namespace
