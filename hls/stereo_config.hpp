@@ -90,6 +90,13 @@ struct StereoConfig {
    /// Those of them that line memories must keep; the others have just come in.
    constexpr int stored_rows() const { return delay_groups() * pixels_per_clock + rows_above(); }
 
+  // Flush groups are valid groups without start of frame after a frame: they bring out its last rows.
+   /// Groups after a frame with which its last disparity has left, whatever follows.
+   constexpr int flush_groups() const { return delay_groups() * width_px + columns_after(); }
+   /// Flush groups that must stand between two frames. The next frame may begin after exactly so many, or after
+   /// flush_groups().
+   constexpr int gap_groups() const { return 0; }
+
   private:
    static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
    static constexpr int larger(int a, int b) { return a < b ? b : a; }

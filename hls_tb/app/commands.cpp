@@ -111,6 +111,8 @@ nlohmann::json as_json(const Configuration& entry) {
            {"output_width_px", config.output_width_px()},
            {"output_height_px", config.output_height_px()},
            {"latency_clocks", entry.latency_clocks},
+           {"flush_groups", config.flush_groups()},
+           {"gap_groups", config.gap_groups()},
            {"memory_bits", memory_bits(config)}};
 }
 
