@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Measures how long frames take: from the clock in which `starts` is '1' to the one in which `ends` is, both counted.
+-- Measures how long frames take: from the clock after `starts` to the one with `ends`, both counted.
 -- Frames overlap: start_slot and end_slot, 0 or 1, say which of two is meant.
 --   clocks  of the last frame that ended, 0 before the first; modulo 2**32
 -- Size: 128 register bits.
@@ -36,7 +36,7 @@ begin
       end if;
       start_clock := started(0) when end_slot = '0' else started(1);
       if ends = '1' then
-        clocks <= now_clock - start_clock + 1;
+        clocks <= now_clock - start_clock;
       end if;
       if reset = '1' then
         now_clock <= (others => '0');

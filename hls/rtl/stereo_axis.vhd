@@ -19,8 +19,8 @@
 --   busy             something is in the shell or on its way through the core
 --   errors           pulses: bits 0 ... 3 of stereo_framing, 4: the core is not as the generics say
 --   frame_ends       a frame's last disparity leaves the core; frame_ends_broken: it is not whole
---   frame_clocks     from the clock in which a frame's first group is sent to the core to the one in which its last
---                    disparity leaves it, of the last frame; only waiting makes it differ from the core's own number
+--   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
+--                    last disparity leaves it, both counted
 -- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 4) words of (disparity_bits + 1) * P + 3 bits.
 -- Generics: as in the configuration's manifest.json, `stereo_hls configurations --json`; scripts/instantiate.py fills
 -- them in.

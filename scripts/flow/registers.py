@@ -20,6 +20,11 @@ def description():
     return json.loads(DESCRIPTION.read_text())["registers"]
 
 
+def by_name():
+    """{register: the same with its fields as {name: field}}"""
+    return {entry["name"]: entry | {"fields": {field["name"]: field for field in entry.get("fields", [])}} for entry in description()}
+
+
 def address_bits():
     return max(register["offset"] for register in description()).bit_length()
 

@@ -34,7 +34,7 @@ def _plain(beats):
 
 
 def _all_flags_random(beats, rng, g):
-    return [(data, rng.choice((0, 0, 0, 0, START, LAST, LAST, START | LAST))) for data, _ in beats]
+    return [(data, rng.choice((0, 0, 0, 0, START, LAST, LAST, START | LAST))) for data, _ in beats[: g.columns]]
 
 
 CASES = {
@@ -65,7 +65,7 @@ CASES = {
     "start of frame within a line": lambda b, rng, g: _with(b, {_somewhere(rng, g): _set(START)}),
     "start of frame with a later line": lambda b, rng, g: _with(b, {g.columns * rng.randrange(1, g.row_groups): _set(START)}),
     "start of frame with the last beat": lambda b, rng, g: _with(b, {g.groups - 1: _set(START)}),
-    "start of frame with each beat": lambda b, rng, g: [(data, flags | START) for data, flags in b],
+    "start of frame with each beat": lambda b, rng, g: [(data, flags | START) for data, flags in b[: rng.randrange(3, 9)]],
     "noise before the frame": lambda b, rng, g: [(rng.choice(b)[0], rng.choice((0, LAST))) for _ in range(rng.randrange(1, 40))] + b,
     "noise after the frame": lambda b, rng, g: b + [(rng.choice(b)[0], rng.choice((0, LAST))) for _ in range(rng.randrange(1, 40))],
     "random flags": _all_flags_random,
