@@ -73,31 +73,15 @@ architecture rtl of stereo_registers is
     return std_logic_vector(to_unsigned(value, bits));
   end function;
 
-  impure function value_at(address : natural) return word is
-    variable value : word := (others => '0');
+  function bit_at(value : std_logic; place : natural) return word is
+    variable bits : word := (others => '0');
   begin
-    case address is
-      when id_word => value := id_value;
-      when version_word => value := version_value;
-      when control_word =>
-        value(control_enable) := enabled;
-        value(control_soft_reset) := resetting;
-      when status_word =>
-        value(status_busy) := busy;
-        value(status_core_fault downto status_early_line_end) := sticky;
-      when size_word => value := field(height_px, size_height_px_bits) & field(width_px, size_width_px_bits);
-      when matching_word =>
-        value := field(pixels_per_clock, matching_pixels_per_clock_bits) & field(window_px, matching_window_px_bits) &
-          field(disparities, matching_disparities_bits);
-      when map_word =>
-        value := x"00" & field(disparity_bits, map_disparity_bits_bits) & field(output_width_px, map_output_width_px_bits);
-      when frames_word => value := std_logic_vector(whole_frames);
-      when broken_frames_word => value := std_logic_vector(broken_frames);
-      when frame_clocks_word => value := std_logic_vector(frame_clocks);
-      when others => null;
-    end case;
-    return value;
+    bits(place) := value;
+    return bits;
   end function;
+
+  type words is array (0 to 2 ** (address_bits - 2) - 1) of word;
+  signal values : words;
 begin
   s_axil_awready <= awake and not have_address;
   s_axil_wready <= awake and not have_data;
@@ -108,6 +92,22 @@ begin
   s_axil_rresp <= "00";
   enable <= enabled;
   soft_reset <= resetting;
+  -- An array, no case: GHDL writes Verilog for a case that synthesisers read as a latch.
+  values <= (
+    id_word => id_value,
+    version_word => version_value,
+    control_word => bit_at(enabled, control_enable) or bit_at(resetting, control_soft_reset),
+    status_word => bit_at(busy, status_busy) or
+      std_logic_vector(shift_left(resize(unsigned(sticky), 32), status_early_line_end)),
+    size_word => field(height_px, size_height_px_bits) & field(width_px, size_width_px_bits),
+    matching_word => field(pixels_per_clock, matching_pixels_per_clock_bits) & field(window_px, matching_window_px_bits) &
+      field(disparities, matching_disparities_bits),
+    map_word => x"00" & field(disparity_bits, map_disparity_bits_bits) & field(output_width_px, map_output_width_px_bits),
+    frames_word => std_logic_vector(whole_frames),
+    broken_frames_word => std_logic_vector(broken_frames),
+    frame_clocks_word => std_logic_vector(frame_clocks),
+    others => (others => '0'));
+
   writes <= have_address and have_data and not bvalid;
 
   reading : process (aclk)
@@ -117,7 +117,7 @@ begin
         rvalid <= not s_axil_rready;
       elsif awake = '1' and s_axil_arvalid = '1' then
         rvalid <= '1';
-        s_axil_rdata <= value_at(to_integer(unsigned(s_axil_araddr(address_bits - 1 downto 2))));
+        s_axil_rdata <= values(to_integer(unsigned(s_axil_araddr(address_bits - 1 downto 2))));
       end if;
       if aresetn = '0' then
         rvalid <= '0';

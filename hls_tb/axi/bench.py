@@ -163,6 +163,7 @@ class Bench:
         start = self.watch.clock
         while self.watch.clock - max(self.watch.moved, start) < QUIET_CLOCKS:
             await ClockCycles(self.dut.aclk, 20)
+            assert self.watch.clock - start < 10 * HANG_CLOCKS, "beats come out without end"
 
     async def reset(self, clocks):
         """Drops what the source still has to send, as its own reset would."""
