@@ -10,6 +10,7 @@ add_executable(
   sad_cost_test.cpp
   window_sum_test.cpp
   winner_tree_test.cpp
+  winner_tree_exhaustive_test.cpp
   disparity_slice_test.cpp
   stereo_config_test.cpp
   stereo_core_test.cpp

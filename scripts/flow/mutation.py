@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import checker, manifest, mutants, vectors
+from . import checker, formal, manifest, mutants, vectors
 from .axi import cocotb_runs, design, pool
 from .errors import EXIT_TOOL_FAILED, FlowError
 from .simulators import GHDL_STANDARD, Ghdl
@@ -94,6 +94,19 @@ class Core:
         return ""
 
 
+def refuted(mutant, folder):
+    """The proof that a mutant of one of the stream blocks breaks."""
+    for number, proof in enumerate(formal.PROOFS):
+        if mutant.file.stem == proof.block:
+            try:
+                outcome, clock = formal.prove(proof, folder / f"proof_{number}", folder / "rtl")
+            except FlowError as error:
+                return f"proof {proof.name}: {error}"
+            if outcome != "proved":
+                return f"proof {proof.name}: clock {clock}"
+    return ""
+
+
 class Shell:
     """Mutants of the shell, and of the core where the core alone shows nothing: the cocotb tests."""
 
@@ -136,7 +149,7 @@ class Run:
         started = time.monotonic()
         if not compiles(files, folder / "compile"):
             return Verdict(mutant, "invalid")
-        by = self.core.noticed(files[: len(core_files())], folder) if is_core else ""
+        by = self.core.noticed(files[: len(core_files())], folder) if is_core else refuted(mutant, folder)
         by = by or self.shell.noticed(files, folder)
         shutil.rmtree(folder, ignore_errors=True)
         return Verdict(mutant, "killed" if by else "survived", by, time.monotonic() - started)

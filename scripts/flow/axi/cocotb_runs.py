@@ -58,10 +58,11 @@ class Ghdl:
         stamp.write_text(key.hexdigest())
 
     def run(self, module, seed, out, tests=None, pairs=3, wave=None, watchdog_seconds=300, pool_folder=None):
-        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `wave`: a .vcd file."""
+        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `wave`: a .vcd file. `pool_folder`: a
+        folder that make_pool has filled with the same pairs and seed."""
         out = Path(out).resolve()
         out.mkdir(parents=True, exist_ok=True)
-        self._write_pool(out, pool_folder or out / "pool", pairs, seed)
+        self._write_pool(out, pool_folder, pairs, seed)
         results = out / f"{module}.xml"
         results.unlink(missing_ok=True)
         libraries = run([self.bin / "cocotb-config", "--lib-name-path", "vpi", "ghdl"]).strip()
@@ -83,7 +84,8 @@ class Ghdl:
         return read_results(results, log)
 
     def _write_pool(self, out, folder, pairs, seed):
-        frames = pool.make_pool(self.config, self.parameters, pairs, seed, folder)
+        reuse, folder = folder is not None, folder or out / "pool"
+        frames = pool.make_pool(self.config, self.parameters, pairs, seed, folder, reuse)
         content = {
             "frames": [dataclasses.asdict(frame) for frame in frames], "seed": seed,
             "parameters": self.parameters | self.generics | {"clocks_of_one_frame": clocks_of_one_frame(Path(folder))},

@@ -40,8 +40,11 @@ class Geometry:
         return self.result_columns * self.row_groups
 
 
-def make_pool(config, parameters, pairs, seed, folder):
-    """2 * pairs different frames of noise: each pair upright and upside down."""
+def make_pool(config, parameters, pairs, seed, folder, reuse=False):
+    """2 * pairs different frames of noise: each pair upright and upside down. `reuse`: the folder was filled by the same call
+    in this run already."""
+    if reuse:
+        return [frame for number in range(pairs) for frame in _read_frames(Path(folder) / f"vectors_{number}", parameters)]
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     generator = random.Random(f"pool {seed}")

@@ -116,7 +116,7 @@ class Verification:
             work = WORK / "ghdl" / config
             simulation = cocotb_runs.Ghdl(config, work, generics=generics, say=self.say)
             simulation.build()
-            results = simulation.run(module, self.seed, self.out / f"cocotb_{number}", tests, pool_folder=self.out / f"cocotb_{number}" / "pool")
+            results = simulation.run(module, self.seed, self.out / f"cocotb_{number}", tests)
             for result in results:
                 self._add(Case(suite, result.name, result.seconds, [] if result.passed else [f"see {result.message}"]))
             missing = set(tests or ()) - {result.name for result in results}
