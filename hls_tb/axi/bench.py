@@ -100,6 +100,8 @@ class Watch:
 
 class Bench:
     def __init__(self, dut, name):
+        if os.environ.get("STEREO_AXI_STOP_AT_FAILURE") and cocotb.regression_manager.failures:
+            raise RuntimeError("not run: a test before it failed")
         self.dut = dut
         self.pool, self.parameters, seed = load_pool()
         self.geometry = pool.Geometry.of(self.parameters)

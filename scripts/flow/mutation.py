@@ -2,6 +2,7 @@
 """Mutation run: do the tests notice single faults in the VHDL? Each mutant goes through stages of tests, cheap ones first,
 until one of them fails."""
 
+import hashlib
 import json
 import random
 import shutil
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import checker, formal, manifest, mutants, vectors
-from .axi import cocotb_runs, design, pool
+from .axi import broken, cocotb_runs, contract, design, pool, script
 from .errors import EXIT_TOOL_FAILED, FlowError
 from .simulators import GHDL_STANDARD, Ghdl
 from .tools import GENERATED_RTL, ROOT, configuration, find_ghdl, find_stereo_hls, run
@@ -100,8 +101,8 @@ def refuted(mutant, folder):
         if mutant.file.stem == proof.block:
             try:
                 outcome, clock = formal.prove(proof, folder / f"proof_{number}", folder / "rtl")
-            except FlowError as error:
-                return f"proof {proof.name}: {error}"
+            except FlowError:
+                continue  # GHDL refuses to synthesise it; the simulations go on with it
             if outcome != "proved":
                 return f"proof {proof.name}: clock {clock}"
     return ""
@@ -121,13 +122,37 @@ class Shell:
             simulation = cocotb_runs.Ghdl(CONFIG, folder / "shell", files, generics)
             simulation.build()
             try:
-                results = simulation.run(module, 1, folder / f"stage_{number}", tests, watchdog_seconds=WATCHDOG_SECONDS, pool_folder=self.pool)
+                results = simulation.run(module, 1, folder / f"stage_{number}", tests, watchdog_seconds=WATCHDOG_SECONDS,
+                                         pool_folder=self.pool, stop_at_failure=True)
             except FlowError as error:
-                return f"{module}: {error}"
+                return f"{module}: {str(error).rpartition(' / ')[2]}"
             failed = [result.name for result in results if not result.passed]
             if failed:
-                return f"{module}: {failed[0]}" + (f" and {len(failed) - 1} more" if len(failed) > 1 else "")
+                return f"{module}: {failed[0]}"
         return ""
+
+
+class Memory:
+    """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was."""
+
+    def __init__(self):
+        tests = [*sorted((ROOT / "hls_tb" / "axi").glob("*.py")), *sorted((ROOT / "hls_tb" / "formal").iterdir()), Path(mutants.__file__),
+                 *(Path(module.__file__) for module in (broken, contract, pool, script))]
+        sources = [*core_files(), *shell_files(), *(path for path in tests if path.name != "diagrams.py")]
+        digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
+        WORK.mkdir(parents=True, exist_ok=True)
+        self.path = WORK / f"verdicts_{digest}.jsonl"
+        lines = self.path.read_text().splitlines() if self.path.is_file() else []
+        self.known = {entry["key"]: entry for entry in map(json.loads, lines)}
+
+    def recall(self, mutant):
+        entry = self.known.get(mutant.key)
+        return Verdict(mutant, entry["outcome"], entry["by"], entry["seconds"]) if entry else None
+
+    def keep(self, verdict):
+        entry = {"key": verdict.mutant.key, "outcome": verdict.outcome, "by": verdict.by, "seconds": round(verdict.seconds, 1)}
+        with self.path.open("a") as file:
+            file.write(json.dumps(entry) + "\n")
 
 
 class Run:
@@ -137,6 +162,7 @@ class Run:
         self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
         self.core, self.shell = Core(), Shell()
         self.explanations = json.loads(EXPLANATIONS.read_text())
+        self.memory = Memory()
         self.verdicts = []
         self.lock = threading.Lock()
 
@@ -166,8 +192,12 @@ class Run:
                 self.started[is_core] += 1
                 self.number += 1
                 number = self.number
-            verdict = self.judge(mutant, is_core, number)
+            verdict = self.memory.recall(mutant)
+            fresh = verdict is None
+            verdict = verdict or self.judge(mutant, is_core, number)
             with self.lock:
+                if fresh:
+                    self.memory.keep(verdict)
                 if verdict.outcome == "invalid":
                     self.started[is_core] -= 1
                     continue
@@ -180,7 +210,7 @@ class Run:
 
     def run(self):
         self.number, self.started = 0, {True: 0, False: 0}
-        for is_core, files, count in ((False, shell_files(), self.counts[1]), (True, core_files(), self.counts[0])):
+        for is_core, files, count in ((True, core_files(), self.counts[0]), (False, shell_files(), self.counts[1])):
             stream = mutants.shuffled(files, self.seed)
             with ThreadPoolExecutor(self.jobs) as workers:
                 for future in [workers.submit(self._next, stream, is_core, count) for _ in range(self.jobs)]:

@@ -2,6 +2,7 @@
 """stereo_ip in GHDL under cocotb."""
 
 import dataclasses
+import functools
 import hashlib
 import json
 import os
@@ -27,6 +28,12 @@ class Result:
     seconds: float
     passed: bool
     message: str = ""
+
+
+@functools.lru_cache(maxsize=None)
+def library_paths(programs):
+    """(cocotb's library for GHDL, that of Python)"""
+    return run([programs / "cocotb-config", "--lib-name-path", "vpi", "ghdl"]).strip(), run([programs / "find_libpython"]).strip()
 
 
 def environment_folder(say=print):
@@ -57,27 +64,29 @@ class Ghdl:
         run([find_ghdl(), "-a", GHDL_STANDARD, *self.files], cwd=self.work, log=self.work / "analyse.log")
         stamp.write_text(key.hexdigest())
 
-    def run(self, module, seed, out, tests=None, pairs=3, wave=None, watchdog_seconds=300, pool_folder=None):
+    def run(self, module, seed, out, tests=None, pairs=3, wave=None, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
         """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `wave`: a .vcd file. `pool_folder`: a
-        folder that make_pool has filled with the same pairs and seed."""
+        folder that make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
         out = Path(out).resolve()
         out.mkdir(parents=True, exist_ok=True)
         self._write_pool(out, pool_folder, pairs, seed)
         results = out / f"{module}.xml"
         results.unlink(missing_ok=True)
-        libraries = run([self.bin / "cocotb-config", "--lib-name-path", "vpi", "ghdl"]).strip()
+        interface, python = library_paths(self.bin)
         environment = {
             "MODULE": module, "TOPLEVEL": "stereo_ip", "TOPLEVEL_LANG": "vhdl", "COCOTB_RESULTS_FILE": str(results),
             "RANDOM_SEED": str(seed), "STEREO_AXI_POOL": str(out / "pool.json"), "COCOTB_LOG_LEVEL": "INFO", "COCOTB_ANSI_OUTPUT": "0",
             "PYTHONPATH": os.pathsep.join(map(str, (TESTS, ROOT / "scripts"))), "PYTHONDONTWRITEBYTECODE": "1",
-            "LIBPYTHON_LOC": run([self.bin / "find_libpython"]).strip(), "VIRTUAL_ENV": str(self.bin.parent),
+            "LIBPYTHON_LOC": python, "VIRTUAL_ENV": str(self.bin.parent),
             "PATH": f"{self.bin}{os.pathsep}{os.environ['PATH']}",
         }
+        if stop_at_failure:
+            environment["STEREO_AXI_STOP_AT_FAILURE"] = "1"
         if tests:
             environment["TESTCASE"] = ",".join(tests)
         values = [f"-g{name}={value}" for name, value in self.generics.items()]
         command = ["env", *(f"{name}={value}" for name, value in environment.items()), find_ghdl(), "-r", GHDL_STANDARD, "stereo_ip",
-                   *values, f"--vpi={libraries}", "--ieee-asserts=disable-at-0", *([f"--vcd={wave}"] if wave else [])]
+                   *values, f"--vpi={interface}", "--ieee-asserts=disable-at-0", *([f"--vcd={wave}"] if wave else [])]
         log = out / f"{module}.log"
         with log.open("w") as text:
             run_with_progress(command, lambda line: text.write(line + "\n"), watchdog_seconds, cwd=self.work)
