@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Endless frames of noise on an AXI4-Stream for stereo_ip with P = 1: the left image is the right one moved by `shift` columns to
--- the right, so that the disparity is `shift`, but for the left edge of each line.
+-- Endless frames of random pixels on an AXI4-Stream for stereo_ip with P = 1: the left image is the right one moved by `shift`
+-- columns to the right, so that the disparity is `shift`, but for the left edge of each line.
 library ieee;
 use ieee.std_logic_1164.all;
 
@@ -23,7 +23,7 @@ end entity;
 
 architecture rtl of pattern_source is
   type pixels is array (0 to shift) of std_logic_vector(7 downto 0);
-  signal noise : std_logic_vector(31 downto 0) := x"2007abcd";
+  signal random_bits : std_logic_vector(31 downto 0) := x"2007abcd";
   signal row : pixels := (others => (others => '0'));  -- row(k): the right image's pixel k columns to the left
   signal column : natural range 0 to width_px - 1 := 0;
   signal line_number : natural range 0 to height_px - 1 := 0;
@@ -41,11 +41,11 @@ begin
       running <= not reset;
       if running = '0' or tready = '1' then
         -- A linear feedback shift register, x^32 + x^22 + x^2 + x + 1, eight steps.
-        bits := noise;
+        bits := random_bits;
         for step in 1 to 8 loop
           bits := bits(30 downto 0) & (bits(31) xor bits(21) xor bits(1) xor bits(0));
         end loop;
-        noise <= bits;
+        random_bits <= bits;
         row <= bits(7 downto 0) & row(0 to shift - 1);
       end if;
       if running = '1' and tready = '1' then

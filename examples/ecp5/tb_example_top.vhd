@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Runs the example until it has counted four frames, pushes its button and waits for four more. Fails when LED 7 is not lit then
--- or the frames do not come.
+-- Runs the example until it has counted four frames, pushes its button and waits for four more. Fails when LED 7 is not lit
+-- then or the frames do not come.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;

@@ -9,7 +9,7 @@ from . import manifest
 from .axi import design
 from .errors import FlowError
 from .simulators import GHDL_STANDARD, to_verilog
-from .tools import GENERATED_RTL, find_ghdl, find_verilator, run
+from .tools import GENERATED_RTL, ROOT, find_ghdl, find_verilator, run
 from .yosys import find_yosys
 
 GHDL_WARNINGS = ("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port",
@@ -65,16 +65,18 @@ def netlist(files, generics, work):
 
 
 def check(config, generics, work, shell=None, say=print):
-    """All checks of the shell around one configuration's core, in a folder of their own. Returns the number of findings."""
+    """All checks of the shell around one configuration's core and of the example, in a folder of their own. Returns the number
+    of findings."""
     work = Path(work)
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     memory, written = design.RTL / "line_memory.vhd", design.shell_files(shell)
     core = [path for path in manifest.vhdl_files(GENERATED_RTL / config) if path.name != memory.name]
-    found = [sentence for path in (memory, *written) for sentence in layout(path)]
+    examples = [ROOT / "examples" / "ecp5" / f"{name}.vhd" for name in ("pattern_source", "map_check", "example_top", "tb_example_top")]
+    found = [sentence for path in (memory, *written, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     run([find_ghdl(), "-a", GHDL_STANDARD, *core], cwd=work, log=work / "core.log")
-    found += analysis(written, work)
+    found += analysis([*written, *examples], work)
     if not found:
         found += netlist([memory, *core, *written], generics, work)
     for sentence in found:

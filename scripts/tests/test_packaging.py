@@ -76,17 +76,13 @@ def test_example_notices_wrong_disparities(ghdl, tmp_path):
 def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
     environment = {**os.environ, "PATH": f"{fusesoc}{os.pathsep}{os.environ['PATH']}"}
     # A copy: FuseSoC would look for cores in build/, too.
-    for name in ("stereo_hls.core", "hls", "generated_rtl/tiny", "examples"):
-        source = ROOT / name
-        (shutil.copytree if source.is_dir() else shutil.copy)(source, tmp_path / "cores" / name if source.is_dir() else _parent(tmp_path / "cores"))
+    cores = tmp_path / "cores"
+    for name in ("hls", "generated_rtl/tiny", "examples"):
+        shutil.copytree(ROOT / name, cores / name)
+    shutil.copy(ROOT / "stereo_hls.core", cores)
     process = subprocess.run([fusesoc / "fusesoc", "--cores-root", tmp_path / "cores", "run", "--target", target, "stereo_hls"], cwd=tmp_path,
                              capture_output=True, text=True, env=environment)
     assert process.returncode == 0 and word in process.stdout + process.stderr, process.stdout + process.stderr
-
-
-def _parent(folder):
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
 
 
 def test_pictures_are_what_the_simulation_gives(ghdl):

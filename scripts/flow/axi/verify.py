@@ -144,7 +144,8 @@ class Verification:
         passed = not failed and self.cases
         hangs = sum("for ever" in problem for case in self.cases for problem in case.problems)
         self.say(f"{'PASS' if passed else 'FAIL'}: {sum(c.exact_frames for c in verilator)} random frames exact in Verilator, "
-                 f"{len(self.cases) - len(verilator)} tests in GHDL, {sum(len(c.problems) for c in failed)} mismatches, {hangs} hangs; seed {self.seed}; {self.out / 'report.json'}")
+                 f"{len(self.cases) - len(verilator)} tests in GHDL, {sum(len(c.problems) for c in failed)} mismatches, {hangs} hangs; "
+                 f"seed {self.seed}; {self.out / 'report.json'}")
         return EXIT_OK if passed else EXIT_MISMATCH
 
     def _write_junit(self):
