@@ -22,8 +22,8 @@ CONFIG = "tiny"
 WORK = ROOT / "build" / "mutation"
 EXPLANATIONS = ROOT / "hls_tb" / "mutation" / "equivalent.json"
 WATCHDOG_SECONDS = 120
-# (grey levels, frames, bubbles in percent) of the co-simulations of the core alone
-CORE_RUNS = ((4, 2, 10), (256, 2, 0), (2, 2, 50))
+# (grey levels, distance between them, bubbles in percent) of the co-simulations of the core alone, two frames each
+CORE_RUNS = ((4, 85, 10), (4, 1, 20), (256, 1, 0), (2, 255, 50))
 # (module, tests or None for all, generics that differ) of the stages of the shell
 SHELL_STAGES = (
     ("test_stereo_ip", ["full_speed", "stalls_30_30"], {}),
@@ -35,8 +35,11 @@ SHELL_STAGES = (
     ("test_generics", ["wrong_latency"], {"latency_clocks": 16}),
     ("test_generics", ["starts_disabled"], {"enabled_at_reset": "false"}),
 )
-# What the co-simulation of the core alone does not do: resets, frames that join a flush.
-CORE_STAGES = (("test_stereo_ip", ["full_speed", "reset_at_any_clock", "gaps_of_all_lengths", "mixture"], {}),)
+# What the co-simulation of the core alone does not do: more flush groups than needed, resets, frames that join a flush.
+CORE_STAGES = (
+    ("test_stereo_ip", ["full_speed"], {"gap_groups": 40, "flush_groups": 60}),
+    ("test_stereo_ip", ["reset_at_any_clock", "gaps_of_all_lengths", "mixture"], {}),
+)
 
 
 @dataclass
@@ -69,16 +72,14 @@ class Core:
     def __init__(self):
         self.parameters = configuration(CONFIG)
         self.runs = []
-        for number, (levels, frames, stalls) in enumerate(CORE_RUNS):
+        for number, (levels, distance, stalls) in enumerate(CORE_RUNS):
             folder = WORK / f"vectors_{number}"
             folder.mkdir(parents=True, exist_ok=True)
             generator = random.Random(number)
-            width, height = self.parameters["width_px"], self.parameters["height_px"]
             for side in ("left", "right"):
-                pixels = bytes(generator.randrange(levels) * 255 // (levels - 1) for _ in range(width * height))
-                (folder / f"{side}.pgm").write_bytes(b"P5 %d %d 255\n" % (width, height) + pixels)
+                pool.write_noise(folder / f"{side}.pgm", self.parameters, generator, levels, distance)
             run([find_stereo_hls(), "vectors", "--config", CONFIG, "--left", folder / "left.pgm", "--right", folder / "right.pgm", "--frames",
-                 frames, "--stall-percent", stalls, "--out", folder], passes_errors=True)
+                 2, "--stall-percent", stalls, "--out", folder], passes_errors=True)
             self.runs.append((folder, len(vectors.read_stimulus(folder / "stimulus.txt")), vectors.read_expected(folder / "expected.txt")[0]))
 
     def noticed(self, files, folder):
@@ -117,7 +118,7 @@ class Shell:
         self.stages = stages
         parameters = configuration(CONFIG)
         self.pool = WORK / "pool"
-        pool.make_pool(CONFIG, parameters, 3, 1, self.pool)
+        pool.make_pool(CONFIG, parameters, cocotb_runs.PAIRS, 1, self.pool)
 
     def noticed(self, files, folder):
         for number, (module, tests, generics) in enumerate(self.stages):

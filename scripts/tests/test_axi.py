@@ -71,7 +71,9 @@ def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
     observation = simulation.play([*full, ("drain",)], 1, tmp_path / "full")
     starts = [clock for _, flags, clock in observation.segments[-1] if flags & 1]
     problems = [f"{b - a} clocks a frame instead of {geometry.groups}" for a, b in zip(starts, starts[1:]) if b - a != geometry.groups]
-    steps = [*script.broken(rng, frames, geometry, "half a frame"), ("idle", 20), ("rates", 20, 60), *script.mixture(rng, frames, geometry, 10)]
+    half = script.broken(rng, frames, geometry, "half a frame")
+    # One frame between them: the broken ones stand in both of the shell's places for a frame.
+    steps = [*half, *script.frames(rng, frames, geometry, 1), *half, ("rates", 20, 60), *script.mixture(rng, frames, geometry, 10)]
     problems += judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "mixture"), geometry, frames).problems
     assert any(word in problem for problem in problems), problems[:5]
 

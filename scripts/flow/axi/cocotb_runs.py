@@ -18,6 +18,7 @@ from . import design, pool
 
 TESTS = ROOT / "hls_tb" / "axi"
 REQUIREMENTS = ROOT / "scripts" / "requirements-axi.txt"
+PAIRS = 4  # of images, of each kind of noise one
 
 
 @dataclasses.dataclass
@@ -64,7 +65,7 @@ class Ghdl:
         run([find_ghdl(), "-a", GHDL_STANDARD, *self.files], cwd=self.work, log=self.work / "analyse.log")
         stamp.write_text(key.hexdigest())
 
-    def run(self, module, seed, out, tests=None, pairs=3, wave=None, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
+    def run(self, module, seed, out, tests=None, pairs=PAIRS, wave=None, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
         """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `wave`: a .vcd file. `pool_folder`: a
         folder that make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
         out = Path(out).resolve()

@@ -9,7 +9,9 @@ from .. import vectors
 from ..errors import FlowError
 from ..tools import find_stereo_hls, run
 
-LEVELS = (256, 4, 2)  # grey levels of the noise: few of them give ties and extremes everywhere
+# (grey levels, distance between them) of the noise. Few levels give ties everywhere, far apart also extremes; close together
+# they give sums that differ by little.
+LEVELS = ((256, 1), (4, 85), (4, 1), (2, 255))
 
 
 @dataclass(frozen=True)
@@ -50,17 +52,21 @@ def make_pool(config, parameters, pairs, seed, folder, reuse=False):
     generator = random.Random(f"pool {seed}")
     frames = []
     for number in range(pairs):
-        levels = LEVELS[number % len(LEVELS)]
         names = [folder / f"{side}_{number}.pgm" for side in ("left", "right")]
         for name in names:
-            width, height = parameters["width_px"], parameters["height_px"]
-            pixels = bytes(generator.randrange(levels) * 255 // (levels - 1) for _ in range(width * height))
-            name.write_bytes(b"P5 %d %d 255\n" % (width, height) + pixels)
+            write_noise(name, parameters, generator, *LEVELS[number % len(LEVELS)])
         out = folder / f"vectors_{number}"
         run([find_stereo_hls(), "vectors", "--config", config, "--left", names[0], "--right", names[1], "--frames", 2, "--out", out],
             passes_errors=True)
         frames += _read_frames(out, parameters)
     return frames
+
+
+def write_noise(path, parameters, generator, levels, distance):
+    """A PGM image of a configuration's size."""
+    width, height = parameters["width_px"], parameters["height_px"]
+    pixels = bytes(generator.randrange(levels) * distance for _ in range(width * height))
+    path.write_bytes(b"P5 %d %d 255\n" % (width, height) + pixels)
 
 
 def _read_frames(folder, parameters):

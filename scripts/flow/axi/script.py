@@ -33,13 +33,14 @@ def rates(rng):
 
 
 def broken(rng, pool, geometry, name, times=1):
-    """A broken stretch, then a correct frame; the same again, `times` in all."""
+    """A broken stretch, then one or two correct frames, so that the broken ones come at odd and even places; `times` in all."""
     steps = []
     for _ in range(times):
         steps += send(CASES[name](beats_of(rng.choice(pool), geometry), rng, geometry))
         if rng.random() < 0.3:
             steps.append(("idle", rng.randrange(1, 2 * geometry.columns)))
-        steps += send(beats_of(rng.choice(pool), geometry))
+        for _ in range(rng.choice((1, 2))):
+            steps += send(beats_of(rng.choice(pool), geometry))
     return steps
 
 
