@@ -70,15 +70,34 @@ TEST(StereoConfig, TheSizeOfTheMapIsThatOfTheModels) {
 }
 
 TEST(StereoConfig, LargestCosts) {
-   EXPECT_EQ((StereoConfig{.cost = Cost::ssd}).largest_pixel_cost(), 65025);
-   EXPECT_EQ((StereoConfig{.cost = Cost::census}).largest_pixel_cost(), 24);
-   EXPECT_EQ((StereoConfig{.cost = Cost::census, .census_width_px = 9, .census_height_px = 7}).largest_pixel_cost(),
-             62);
-   EXPECT_EQ((StereoConfig{.prefilter = Prefilter::xsobel}).largest_pixel_cost(), 62);
    EXPECT_EQ(
-       (StereoConfig{.cost = Cost::ssd, .prefilter = Prefilter::xsobel, .prefilter_cap = 63}).largest_pixel_cost(),
-       126 * 126);
-   EXPECT_EQ((StereoConfig{.window_px = 31, .cost = Cost::ssd}).largest_window_cost(), 65025 * 961);
+       (StereoConfig{.width_px = 320, .height_px = 240, .disparities = 64, .cost = Cost::ssd}).largest_pixel_cost(),
+       65025);
+   EXPECT_EQ(
+       (StereoConfig{.width_px = 320, .height_px = 240, .disparities = 64, .cost = Cost::census}).largest_pixel_cost(),
+       24);
+   EXPECT_EQ((StereoConfig{.width_px = 320,
+                           .height_px = 240,
+                           .disparities = 64,
+                           .cost = Cost::census,
+                           .census_width_px = 9,
+                           .census_height_px = 7})
+                 .largest_pixel_cost(),
+             62);
+   EXPECT_EQ((StereoConfig{.width_px = 320, .height_px = 240, .disparities = 64, .prefilter = Prefilter::xsobel})
+                 .largest_pixel_cost(),
+             62);
+   EXPECT_EQ((StereoConfig{.width_px = 320,
+                           .height_px = 240,
+                           .disparities = 64,
+                           .cost = Cost::ssd,
+                           .prefilter = Prefilter::xsobel,
+                           .prefilter_cap = 63})
+                 .largest_pixel_cost(),
+             126 * 126);
+   EXPECT_EQ((StereoConfig{.width_px = 320, .height_px = 240, .disparities = 64, .window_px = 31, .cost = Cost::ssd})
+                 .largest_window_cost(),
+             65025 * 961);
 }
 
 TEST(StereoConfig, OnlyTheRowsAtOnceTellThePapersConfigurationsApart) {

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo block-matching core, configuration ambrosch2007_p4: 320x240, 100 disparities, 3x3 window, 4 pixel pairs a clock.
+-- Options: right reference, sad cost, direct sums.
 -- Made from hls/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007_p4
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -71,6 +72,7 @@ architecture rtl of stereo_core is
   signal in_right_pixel : unsigned(31 downto 0);
   -- raster
   signal raster_search_0, raster_search_1, raster_search_2, raster_search_3 : natural range 0 to 255;
+  signal raster_reference_words_0 : unsigned(31 downto 0);
   signal raster_valid, raster_next_frame : boolean;
   signal raster_column : natural range 0 to 511;
   signal raster_group : natural range 0 to 63;
@@ -1895,8 +1897,6 @@ architecture rtl of stereo_core is
   signal slice3best_index_0_0, slice3best_index_1_0, slice3best_index_2_0, slice3best_index_3_0 : natural range 0 to 99;
   signal slice3best_tag_valid, slice3best_tag_output_column, slice3best_tag_start_of_frame : boolean;
   signal slice3best_tag_end_of_line : boolean;
-  -- other
-  signal other_0 : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
@@ -1946,7 +1946,7 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= other_0;
+  delay_delayed_0_memory_write_data <= raster_reference_words_0;
   delay_delayed_0_memory : entity work.line_memory
     generic map (depth => 100, width => 32)
     port map (
@@ -2323,6 +2323,7 @@ begin
       raster_search_1 <= to_integer(in_left_pixel(15 downto 8));
       raster_search_2 <= to_integer(in_left_pixel(23 downto 16));
       raster_search_3 <= to_integer(in_left_pixel(31 downto 24));
+      raster_reference_words_0 <= in_right_pixel;
       raster_valid <= in_valid;
       raster_group <= raster_group_choice * 4 when in_start_of_frame and in_valid else raster_group_choice_4;
       raster_next_frame_choice := raster_next_frame and ((raster_group mod 2) = 1) when raster_group_is_equal else
@@ -8949,12 +8950,12 @@ begin
       slice3window_sum_2_24 <= slice3cost_column_2_24 + slice3window_partial_2_1_24;
       slice3window_sum_3_0 <= slice3cost_column_3_0 + slice3window_partial_3_1_0;
       slice3window_sum_3_1 <= slice3cost_column_3_1 + slice3window_partial_3_1_1;
-      slice3window_sum_3_2 <= slice3cost_column_3_2 + slice3window_partial_3_1_2;
-      slice3window_sum_3_3 <= slice3cost_column_3_3 + slice3window_partial_3_1_3;
-      slice3window_sum_3_4 <= slice3cost_column_3_4 + slice3window_partial_3_1_4;
-      slice3window_sum_3_5 <= slice3cost_column_3_5 + slice3window_partial_3_1_5;
-      slice3window_sum_3_6 <= slice3cost_column_3_6 + slice3window_partial_3_1_6;
-      slice3window_sum_3_7 <= slice3cost_column_3_7 + slice3window_partial_3_1_7;
+      slice3window_sum_3_2 <= slice3window_partial_3_1_2 + slice3cost_column_3_2;
+      slice3window_sum_3_3 <= slice3window_partial_3_1_3 + slice3cost_column_3_3;
+      slice3window_sum_3_4 <= slice3window_partial_3_1_4 + slice3cost_column_3_4;
+      slice3window_sum_3_5 <= slice3window_partial_3_1_5 + slice3cost_column_3_5;
+      slice3window_sum_3_6 <= slice3window_partial_3_1_6 + slice3cost_column_3_6;
+      slice3window_sum_3_7 <= slice3window_partial_3_1_7 + slice3cost_column_3_7;
       slice3window_sum_3_8 <= slice3window_partial_3_1_8 + slice3cost_column_3_8;
       slice3window_sum_3_9 <= slice3window_partial_3_1_9 + slice3cost_column_3_9;
       slice3window_sum_3_10 <= slice3window_partial_3_1_10 + slice3cost_column_3_10;
@@ -9342,8 +9343,6 @@ begin
       slice3best_tag_output_column <= slice2best_tag_output_column;
       slice3best_tag_start_of_frame <= slice2best_tag_start_of_frame;
       slice3best_tag_end_of_line <= slice2best_tag_end_of_line;
-      -- other
-      other_0 <= in_right_pixel;
       if reset = '1' then
         raster_valid <= false;
         raster_column <= 0;

@@ -11,6 +11,7 @@ from flow.rtl.evaluate import compile_step, initial_state
 from flow.rtl.ranges import narrow_registers
 from flow.rtl.vhdl_writer import VhdlWriter, control_registers, split_hold
 from flow.simulators import Ghdl
+from flow.tools import GENERATED_RTL
 
 INPUTS = {"left_pixel": 8, "right_pixel": 8, "start_of_frame": 1, "valid": 1}
 CLOCKS = 300
@@ -144,3 +145,25 @@ def test_an_operation_without_vhdl_is_refused():
     design.inputs["right_pixel"] = n.leaf("input", "right_pixel", 8)
     with pytest.raises(FlowError, match="no VHDL for an arithmetic right shift"):
         VhdlWriter(design, "").write()
+
+
+@pytest.mark.parametrize("constant", [0x10, 0x11, 0x70, 0x90, 0xF0])
+def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant):
+    """An 8-bit word of two registers of 1 bit (bits 1 and 3) and of constant ones around them, through a memory and back."""
+    design = memory_design()
+    pixel = design.inputs["left_pixel"]
+    ones = n.const(constant)
+    bits = n.add(ones, n.shift_left(n.wrap(pixel, 1), 1), n.shift_left(n.wrap(n.shift_right(pixel, 1), 1), 3))
+    assert n.disjoint_ones(bits.args) is not None
+    design.memories[0].write_data = bits
+    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- constants").write())
+    stimulus = [{"left_pixel": k % 4, "right_pixel": 0, "start_of_frame": 0, "valid": 1} for k in range(40)]
+    lines = [f"1 {s['left_pixel']:02x} 00" for s in stimulus]
+    (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
+    simulator = Ghdl([*sorted((GENERATED_RTL / "tiny").glob("line_memory.vhd")), tmp_path / "stereo_core.vhd"], tmp_path / "sim")
+    simulator.build()
+    simulator.run(tmp_path / "stimulus.txt", tmp_path / "observed.txt", lambda clock: None, 60)
+    observed, _ = vectors.read_observed(tmp_path / "observed.txt")
+    late = [o.disparity for o in observed if o.clock > 20]
+    assert late and all(word & ~0b1010 == constant & ~0b1010 for word in late)
+    assert {word & 0b1010 for word in late} == {0, 2, 8, 10}

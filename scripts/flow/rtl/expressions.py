@@ -6,6 +6,7 @@ fast as bit vectors, and a range that is left is an error instead of a silent wr
 """
 
 from ..errors import EXIT_TOOL_FAILED, FlowError
+from .nodes import const
 
 COMPARISONS = {"lt": "<", "ge": ">=", "eq": "=", "ne": "/="}
 
@@ -34,6 +35,21 @@ def type_of(low, high):
     if high >= 1 << 31:
         return f"unsigned({high.bit_length() - 1} downto 0)"
     return f"{'natural' if low >= 0 else 'integer'} range {low} to {high}"
+
+
+def _placed(term):
+    """(lowest bit, value) of a term of a concatenation; a constant gives one for each run of its ones."""
+    if term.op == "shl":
+        return [(term.param, term.args[0])]
+    if term.op != "const" or not term.param:
+        return [(0, term)]
+    places, rest = [], term.param
+    while rest:
+        low = (rest & -rest).bit_length() - 1
+        length = (~(rest >> low) & (rest >> low) + 1).bit_length() - 1
+        places.append((low, const((1 << length) - 1)))
+        rest &= ~(((1 << length) - 1) << low)
+    return places
 
 
 class Writer:
@@ -149,7 +165,7 @@ class Writer:
     def _concatenated(self, node, width):
         """A sum of terms that share no bit, from the highest to the lowest."""
         terms = node.args if node.op == "add" else (node,)
-        parts = sorted(((t.param, t.args[0]) if t.op == "shl" else (0, t) for t in terms), key=lambda part: -part[0])
+        parts = sorted((part for t in terms for part in _placed(t)), key=lambda part: -part[0])
         if node.ones is None or (len(parts) == 1 and parts[0][0] == 0):
             if is_wide(node):
                 raise FlowError(f"no VHDL for the operation '{node.op}' on {node.width} bits", EXIT_TOOL_FAILED)
