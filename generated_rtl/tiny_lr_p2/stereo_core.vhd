@@ -333,7 +333,7 @@ begin
       read_address => leftright_address_0, read_data => leftright_found_0,
       write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
 
-  leftright_held_0_memory_write_data <= to_unsigned(slice2best_index_1_0, 9) & to_unsigned(slice2best_index_0_0, 9) & to_unsigned(as_number(slice2best_tag_end_of_line), 1) & to_unsigned(as_number(slice2best_tag_start_of_frame), 1) & to_unsigned(as_number(slice2best_tag_output_column), 1) & to_unsigned(as_number(slice2best_tag_map_column), 1) & to_unsigned(2101248, 0);
+  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(slice2best_index_1_0, 8) & to_unsigned(1, 1) & to_unsigned(slice2best_index_0_0, 8) & to_unsigned(as_number(slice2best_tag_end_of_line), 1) & to_unsigned(as_number(slice2best_tag_start_of_frame), 1) & to_unsigned(as_number(slice2best_tag_output_column), 1) & to_unsigned(as_number(slice2best_tag_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
     generic map (depth => 8, width => 22)
     port map (
