@@ -1399,10 +1399,16 @@ begin
       refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      refinement_fraction_0_choice := refinement_fraction_0_difference mod 256 when refinement_negative_8_0 else
-        refinement_fraction_0_value;
-      refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8 when refinement_negative_8_0 else
-        refinement_fraction_0_value mod 8;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
       refinement_disparity_0_0 <= slice2best_index_0_0;
       refinement_disparity_1_0 <= refinement_disparity_0_0;
       refinement_disparity_2_0 <= refinement_disparity_1_0;
@@ -1641,11 +1647,27 @@ begin
         median_rows_write_words_0 <= (median_rows_ready_words_0 / 8192) + (median_rows_ready_newest_0 * 8192);
         median_at_column <= median_ready_column;
       end if;
-      median_low_0_0_choice := median_column_1 / 2 when slice0cost_reverse_1_0 else median_column_2 / 2;
-      median_low_0_0_choice_2 := median_column_1 / 2 when median_at_top else median_column_0_value / 2;
+      if slice0cost_reverse_1_0 then
+        median_low_0_0_choice := median_column_1 / 2;
+      else
+        median_low_0_0_choice := median_column_2 / 2;
+      end if;
+      if median_at_top then
+        median_low_0_0_choice_2 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_2 := median_column_0_value / 2;
+      end if;
       median_low_0_0_is_less := (median_column_1 / 2) < median_low_0_0_choice_2;
-      median_low_0_0_choice_3 := median_column_1 / 2 when median_low_0_0_is_less else median_low_0_0_choice_2;
-      median_low_0_0_choice_4 := median_column_1 / 2 when slice0cost_reverse_1_0 else (median_column_2 / 2) mod 4096;
+      if median_low_0_0_is_less then
+        median_low_0_0_choice_3 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_3 := median_low_0_0_choice_2;
+      end if;
+      if slice0cost_reverse_1_0 then
+        median_low_0_0_choice_4 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_4 := (median_column_2 / 2) mod 4096;
+      end if;
       median_low_0_0_choice_5 := median_low_0_0_choice_4 when median_low_0_0_choice < median_low_0_0_choice_3 else
         median_low_0_0_choice_3;
       median_low_0_0_choice_6 := median_low_0_0 when median_at_behind else median_low_0_0_choice_5;

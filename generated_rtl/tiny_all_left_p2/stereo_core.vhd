@@ -2007,16 +2007,28 @@ begin
       refinement_remainder_7_1_choice := refinement_divisor_6_1 when refinement_remainder_7_1_is_not_less else 0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      refinement_fraction_0_choice := refinement_fraction_0_difference mod 256 when refinement_negative_8_0 else
-        refinement_fraction_0_value;
-      refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8 when refinement_negative_8_0 else
-        refinement_fraction_0_value mod 8;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
       refinement_fraction_1_difference := 0 - (refinement_quotient_8_1 / 16);
       refinement_fraction_1_value := (refinement_quotient_8_1 + 15) / 16;
-      refinement_fraction_1_choice := refinement_fraction_1_difference mod 32 when refinement_negative_8_1 else
-        refinement_fraction_1_value;
-      refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8 when refinement_negative_8_1 else
-        refinement_fraction_1_value mod 8;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice := refinement_fraction_1_difference mod 32;
+      else
+        refinement_fraction_1_choice := refinement_fraction_1_value;
+      end if;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8;
+      else
+        refinement_fraction_1_choice_2 := refinement_fraction_1_value mod 8;
+      end if;
       refinement_disparity_0_0 <= slice2best_index_0_0;
       refinement_disparity_0_1 <= slice2best_index_1_0;
       refinement_disparity_1_0 <= refinement_disparity_0_0;
@@ -2375,27 +2387,58 @@ begin
         median_rows_write_words_1 <= median_rows_ready_newest_1;
         median_at_column <= median_ready_column;
       end if;
-      median_low_0_0_choice := median_column_1 / 2 when median_at_output else median_column_0_value / 2;
+      if median_at_output then
+        median_low_0_0_choice := median_column_1 / 2;
+      else
+        median_low_0_0_choice := median_column_0_value / 2;
+      end if;
       median_low_0_0_is_less := (median_column_1 / 2) < median_low_0_0_choice;
-      median_low_0_0_choice_2 := median_column_1 / 2 when median_low_0_0_is_less else median_low_0_0_choice;
-      median_low_0_0_choice_3 := median_column_2 / 2 when (median_column_2 / 2) < median_low_0_0_choice_2 else
-        median_low_0_0_choice_2;
+      if median_low_0_0_is_less then
+        median_low_0_0_choice_2 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_2 := median_low_0_0_choice;
+      end if;
+      if (median_column_2 / 2) < median_low_0_0_choice_2 then
+        median_low_0_0_choice_3 := median_column_2 / 2;
+      else
+        median_low_0_0_choice_3 := median_low_0_0_choice_2;
+      end if;
       median_low_0_0_choice_4 := median_low_0_0 when median_at_behind else median_low_0_0_choice_3;
-      median_low_0_1_choice := median_column_2 / 2 when delay_read_address else median_column_3 / 2;
+      if delay_read_address then
+        median_low_0_1_choice := median_column_2 / 2;
+      else
+        median_low_0_1_choice := median_column_3 / 2;
+      end if;
       median_low_0_1_is_less := (median_column_2 / 2) < (median_column_1 / 2);
-      median_low_0_1_choice_2 := median_column_2 / 2 when median_low_0_1_is_less else median_column_1 / 2;
-      median_low_0_1_choice_3 := median_column_2 / 2 when delay_read_address else (median_column_3 / 2) mod 4096;
+      if median_low_0_1_is_less then
+        median_low_0_1_choice_2 := median_column_2 / 2;
+      else
+        median_low_0_1_choice_2 := median_column_1 / 2;
+      end if;
+      if delay_read_address then
+        median_low_0_1_choice_3 := median_column_2 / 2;
+      else
+        median_low_0_1_choice_3 := (median_column_3 / 2) mod 4096;
+      end if;
       median_low_0_1_choice_4 := median_low_0_1_choice_3 when median_low_0_1_choice < median_low_0_1_choice_2 else
         median_low_0_1_choice_2;
       median_low_0_1_choice_5 := median_low_0_1 when median_at_behind else median_low_0_1_choice_4;
       median_low_1_0_all := median_at_arrives and median_complete_is_equal;
       median_middle_0_0_choice := median_low_0_0_choice when median_low_0_0_is_less else median_column_1 / 2;
       median_middle_0_0_is_less := (median_column_2 / 2) < median_middle_0_0_choice;
-      median_middle_0_0_choice_2 := median_column_2 / 2 when median_middle_0_0_is_less else median_middle_0_0_choice;
+      if median_middle_0_0_is_less then
+        median_middle_0_0_choice_2 := median_column_2 / 2;
+      else
+        median_middle_0_0_choice_2 := median_middle_0_0_choice;
+      end if;
       median_middle_0_0_choice_3 := median_low_0_0_choice_2 when median_middle_0_0_choice_2 < median_low_0_0_choice_2
         else median_middle_0_0_choice_2;
       median_middle_0_0_choice_4 := median_middle_0_0 when median_at_behind else median_middle_0_0_choice_3;
-      median_middle_0_1_choice := median_column_1 / 2 when median_low_0_1_is_less else median_column_2 / 2;
+      if median_low_0_1_is_less then
+        median_middle_0_1_choice := median_column_1 / 2;
+      else
+        median_middle_0_1_choice := median_column_2 / 2;
+      end if;
       median_middle_0_1_is_less := median_low_0_1_choice < median_middle_0_1_choice;
       median_middle_0_1_choice_2 := median_low_0_1_choice_3 when median_middle_0_1_is_less else
         median_middle_0_1_choice;

@@ -3493,28 +3493,52 @@ begin
       refinement_remainder_7_3_choice := refinement_divisor_6_3 when refinement_remainder_7_3_is_not_less else 0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      refinement_fraction_0_choice := refinement_fraction_0_difference mod 256 when refinement_negative_8_0 else
-        refinement_fraction_0_value;
-      refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8 when refinement_negative_8_0 else
-        refinement_fraction_0_value mod 8;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
       refinement_fraction_1_difference := 0 - (refinement_quotient_8_1 / 16);
       refinement_fraction_1_value := (refinement_quotient_8_1 + 15) / 16;
-      refinement_fraction_1_choice := refinement_fraction_1_difference mod 256 when refinement_negative_8_1 else
-        refinement_fraction_1_value;
-      refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8 when refinement_negative_8_1 else
-        refinement_fraction_1_value mod 8;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice := refinement_fraction_1_difference mod 256;
+      else
+        refinement_fraction_1_choice := refinement_fraction_1_value;
+      end if;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8;
+      else
+        refinement_fraction_1_choice_2 := refinement_fraction_1_value mod 8;
+      end if;
       refinement_fraction_2_difference := 0 - (refinement_quotient_8_2 / 16);
       refinement_fraction_2_value := (refinement_quotient_8_2 + 15) / 16;
-      refinement_fraction_2_choice := refinement_fraction_2_difference mod 256 when refinement_negative_8_2 else
-        refinement_fraction_2_value;
-      refinement_fraction_2_choice_2 := refinement_fraction_2_difference mod 8 when refinement_negative_8_2 else
-        refinement_fraction_2_value mod 8;
+      if refinement_negative_8_2 then
+        refinement_fraction_2_choice := refinement_fraction_2_difference mod 256;
+      else
+        refinement_fraction_2_choice := refinement_fraction_2_value;
+      end if;
+      if refinement_negative_8_2 then
+        refinement_fraction_2_choice_2 := refinement_fraction_2_difference mod 8;
+      else
+        refinement_fraction_2_choice_2 := refinement_fraction_2_value mod 8;
+      end if;
       refinement_fraction_3_difference := 0 - (refinement_quotient_8_3 / 16);
       refinement_fraction_3_value := (refinement_quotient_8_3 + 15) / 16;
-      refinement_fraction_3_choice := refinement_fraction_3_difference mod 256 when refinement_negative_8_3 else
-        refinement_fraction_3_value;
-      refinement_fraction_3_choice_2 := refinement_fraction_3_difference mod 8 when refinement_negative_8_3 else
-        refinement_fraction_3_value mod 8;
+      if refinement_negative_8_3 then
+        refinement_fraction_3_choice := refinement_fraction_3_difference mod 256;
+      else
+        refinement_fraction_3_choice := refinement_fraction_3_value;
+      end if;
+      if refinement_negative_8_3 then
+        refinement_fraction_3_choice_2 := refinement_fraction_3_difference mod 8;
+      else
+        refinement_fraction_3_choice_2 := refinement_fraction_3_value mod 8;
+      end if;
       refinement_disparity_0_0 <= slice2best_index_0_0;
       refinement_disparity_0_1 <= slice2best_index_1_0;
       refinement_disparity_0_2 <= slice2best_index_2_0;
@@ -4106,49 +4130,110 @@ begin
         median_rows_write_words_2 <= median_rows_ready_newest_3;
         median_at_column <= median_ready_column;
       end if;
-      median_low_0_0_choice := median_column_1 / 2 when median_at_top else median_column_0_value / 2;
+      if median_at_top then
+        median_low_0_0_choice := median_column_1 / 2;
+      else
+        median_low_0_0_choice := median_column_0_value / 2;
+      end if;
       median_low_0_0_is_less := (median_column_1 / 2) < median_low_0_0_choice;
-      median_low_0_0_choice_2 := median_column_1 / 2 when median_low_0_0_is_less else median_low_0_0_choice;
-      median_low_0_0_choice_3 := median_column_2 / 2 when (median_column_2 / 2) < median_low_0_0_choice_2 else
-        median_low_0_0_choice_2;
+      if median_low_0_0_is_less then
+        median_low_0_0_choice_2 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_2 := median_low_0_0_choice;
+      end if;
+      if (median_column_2 / 2) < median_low_0_0_choice_2 then
+        median_low_0_0_choice_3 := median_column_2 / 2;
+      else
+        median_low_0_0_choice_3 := median_low_0_0_choice_2;
+      end if;
       median_low_0_0_choice_4 := median_low_0_0 when median_at_behind else median_low_0_0_choice_3;
       median_low_0_1_is_less := (median_column_2 / 2) < (median_column_1 / 2);
-      median_low_0_1_choice := median_column_2 / 2 when median_low_0_1_is_less else median_column_1 / 2;
-      median_low_0_1_choice_2 := median_column_3 / 2 when (median_column_3 / 2) < median_low_0_1_choice else
-        median_low_0_1_choice;
+      if median_low_0_1_is_less then
+        median_low_0_1_choice := median_column_2 / 2;
+      else
+        median_low_0_1_choice := median_column_1 / 2;
+      end if;
+      if (median_column_3 / 2) < median_low_0_1_choice then
+        median_low_0_1_choice_2 := median_column_3 / 2;
+      else
+        median_low_0_1_choice_2 := median_low_0_1_choice;
+      end if;
       median_low_0_1_choice_3 := median_low_0_1 when median_at_behind else median_low_0_1_choice_2;
       median_low_0_2_is_less := (median_column_3 / 2) < (median_column_2 / 2);
-      median_low_0_2_choice := median_column_3 / 2 when median_low_0_2_is_less else median_column_2 / 2;
-      median_low_0_2_choice_2 := median_column_4 / 2 when (median_column_4 / 2) < median_low_0_2_choice else
-        median_low_0_2_choice;
+      if median_low_0_2_is_less then
+        median_low_0_2_choice := median_column_3 / 2;
+      else
+        median_low_0_2_choice := median_column_2 / 2;
+      end if;
+      if (median_column_4 / 2) < median_low_0_2_choice then
+        median_low_0_2_choice_2 := median_column_4 / 2;
+      else
+        median_low_0_2_choice_2 := median_low_0_2_choice;
+      end if;
       median_low_0_2_choice_3 := median_low_0_2 when median_at_behind else median_low_0_2_choice_2;
-      median_low_0_3_choice := median_column_4 / 2 when slice0cost_reverse_2_2 else median_column_5 / 2;
+      if slice0cost_reverse_2_2 then
+        median_low_0_3_choice := median_column_4 / 2;
+      else
+        median_low_0_3_choice := median_column_5 / 2;
+      end if;
       median_low_0_3_is_less := (median_column_4 / 2) < (median_column_3 / 2);
-      median_low_0_3_choice_2 := median_column_4 / 2 when median_low_0_3_is_less else median_column_3 / 2;
-      median_low_0_3_choice_3 := median_column_4 / 2 when slice0cost_reverse_2_2 else (median_column_5 / 2) mod 4096;
+      if median_low_0_3_is_less then
+        median_low_0_3_choice_2 := median_column_4 / 2;
+      else
+        median_low_0_3_choice_2 := median_column_3 / 2;
+      end if;
+      if slice0cost_reverse_2_2 then
+        median_low_0_3_choice_3 := median_column_4 / 2;
+      else
+        median_low_0_3_choice_3 := (median_column_5 / 2) mod 4096;
+      end if;
       median_low_0_3_choice_4 := median_low_0_3_choice_3 when median_low_0_3_choice < median_low_0_3_choice_2 else
         median_low_0_3_choice_2;
       median_low_0_3_choice_5 := median_low_0_3 when median_at_behind else median_low_0_3_choice_4;
       median_low_1_0_all := median_at_arrives and median_complete_is_equal;
       median_middle_0_0_choice := median_low_0_0_choice when median_low_0_0_is_less else median_column_1 / 2;
       median_middle_0_0_is_less := (median_column_2 / 2) < median_middle_0_0_choice;
-      median_middle_0_0_choice_2 := median_column_2 / 2 when median_middle_0_0_is_less else median_middle_0_0_choice;
+      if median_middle_0_0_is_less then
+        median_middle_0_0_choice_2 := median_column_2 / 2;
+      else
+        median_middle_0_0_choice_2 := median_middle_0_0_choice;
+      end if;
       median_middle_0_0_choice_3 := median_low_0_0_choice_2 when median_middle_0_0_choice_2 < median_low_0_0_choice_2
         else median_middle_0_0_choice_2;
       median_middle_0_0_choice_4 := median_middle_0_0 when median_at_behind else median_middle_0_0_choice_3;
-      median_middle_0_1_choice := median_column_1 / 2 when median_low_0_1_is_less else median_column_2 / 2;
+      if median_low_0_1_is_less then
+        median_middle_0_1_choice := median_column_1 / 2;
+      else
+        median_middle_0_1_choice := median_column_2 / 2;
+      end if;
       median_middle_0_1_is_less := (median_column_3 / 2) < median_middle_0_1_choice;
-      median_middle_0_1_choice_2 := median_column_3 / 2 when median_middle_0_1_is_less else median_middle_0_1_choice;
+      if median_middle_0_1_is_less then
+        median_middle_0_1_choice_2 := median_column_3 / 2;
+      else
+        median_middle_0_1_choice_2 := median_middle_0_1_choice;
+      end if;
       median_middle_0_1_choice_3 := median_low_0_1_choice when median_middle_0_1_choice_2 < median_low_0_1_choice else
         median_middle_0_1_choice_2;
       median_middle_0_1_choice_4 := median_middle_0_1 when median_at_behind else median_middle_0_1_choice_3;
-      median_middle_0_2_choice := median_column_2 / 2 when median_low_0_2_is_less else median_column_3 / 2;
+      if median_low_0_2_is_less then
+        median_middle_0_2_choice := median_column_2 / 2;
+      else
+        median_middle_0_2_choice := median_column_3 / 2;
+      end if;
       median_middle_0_2_is_less := (median_column_4 / 2) < median_middle_0_2_choice;
-      median_middle_0_2_choice_2 := median_column_4 / 2 when median_middle_0_2_is_less else median_middle_0_2_choice;
+      if median_middle_0_2_is_less then
+        median_middle_0_2_choice_2 := median_column_4 / 2;
+      else
+        median_middle_0_2_choice_2 := median_middle_0_2_choice;
+      end if;
       median_middle_0_2_choice_3 := median_low_0_2_choice when median_middle_0_2_choice_2 < median_low_0_2_choice else
         median_middle_0_2_choice_2;
       median_middle_0_2_choice_4 := median_middle_0_2 when median_at_behind else median_middle_0_2_choice_3;
-      median_middle_0_3_choice := median_column_3 / 2 when median_low_0_3_is_less else median_column_4 / 2;
+      if median_low_0_3_is_less then
+        median_middle_0_3_choice := median_column_3 / 2;
+      else
+        median_middle_0_3_choice := median_column_4 / 2;
+      end if;
       median_middle_0_3_is_less := median_low_0_3_choice < median_middle_0_3_choice;
       median_middle_0_3_choice_2 := median_low_0_3_choice_3 when median_middle_0_3_is_less else
         median_middle_0_3_choice;

@@ -1028,12 +1028,21 @@ begin
         slice0window_read_address <= 0 when slice0window_read_address = 7 else (slice0window_read_address + 1) mod 8;
         slice0window_write_address <= slice0window_read_address;
       end if;
-      slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(8 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(17 downto 9)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(26 downto 18)) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(8 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(17 downto 9));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(26 downto 18));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
       slice0window_tag_first_group_is_equal := median_counter_column = 22;
       slice0window_tag_first_group_choice := slice0window_tag_first_group and ((median_counter_group mod 2) = 1) when
         (median_counter_group / 2) = 6 else slice0window_tag_first_group;
@@ -1281,12 +1290,21 @@ begin
         slice1window_read_address <= 0 when slice1window_read_address = 7 else (slice1window_read_address + 1) mod 8;
         slice1window_write_address <= slice1window_read_address;
       end if;
-      slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(8 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(17 downto 9)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(26 downto 18)) when
-        slice0window_change_tag_leaves_window else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(8 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(17 downto 9));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(26 downto 18));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;
@@ -1481,10 +1499,16 @@ begin
         slice2window_read_address <= 0 when slice2window_read_address = 7 else (slice2window_read_address + 1) mod 8;
         slice2window_write_address <= slice2window_read_address;
       end if;
-      slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(8 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(17 downto 9)) when
-        slice1window_change_tag_leaves_window else 0;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(8 downto 0));
+      else
+        slice2window_change_0_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(17 downto 9));
+      else
+        slice2window_change_0_1_choice := 0;
+      end if;
       slice2window_entering_0_0 <= slice2cost_column_0_0;
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
@@ -1639,10 +1663,16 @@ begin
       refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      refinement_fraction_0_choice := refinement_fraction_0_difference mod 256 when refinement_negative_8_0 else
-        refinement_fraction_0_value;
-      refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8 when refinement_negative_8_0 else
-        refinement_fraction_0_value mod 8;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
       refinement_disparity_0_0 <= slice2best_index_0_0;
       refinement_disparity_1_0 <= refinement_disparity_0_0;
       refinement_disparity_2_0 <= refinement_disparity_1_0;
@@ -1882,12 +1912,27 @@ begin
         median_rows_write_words_0 <= (median_rows_ready_words_0 / 8192) + (median_rows_ready_newest_0 * 8192);
         median_at_column <= median_ready_column;
       end if;
-      median_low_0_0_choice := median_column_1 / 2 when slice0window_tag_row_start else median_column_2 / 2;
-      median_low_0_0_choice_2 := median_column_1 / 2 when median_at_top else median_column_0_value / 2;
+      if slice0window_tag_row_start then
+        median_low_0_0_choice := median_column_1 / 2;
+      else
+        median_low_0_0_choice := median_column_2 / 2;
+      end if;
+      if median_at_top then
+        median_low_0_0_choice_2 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_2 := median_column_0_value / 2;
+      end if;
       median_low_0_0_is_less := (median_column_1 / 2) < median_low_0_0_choice_2;
-      median_low_0_0_choice_3 := median_column_1 / 2 when median_low_0_0_is_less else median_low_0_0_choice_2;
-      median_low_0_0_choice_4 := median_column_1 / 2 when slice0window_tag_row_start else (median_column_2 / 2) mod
-        4096;
+      if median_low_0_0_is_less then
+        median_low_0_0_choice_3 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_3 := median_low_0_0_choice_2;
+      end if;
+      if slice0window_tag_row_start then
+        median_low_0_0_choice_4 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_4 := (median_column_2 / 2) mod 4096;
+      end if;
       median_low_0_0_choice_5 := median_low_0_0_choice_4 when median_low_0_0_choice < median_low_0_0_choice_3 else
         median_low_0_0_choice_3;
       median_low_0_0_choice_6 := median_low_0_0 when median_at_behind else median_low_0_0_choice_5;

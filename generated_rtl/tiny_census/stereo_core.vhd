@@ -1738,29 +1738,42 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
-        (as_number(transform_left_filter_feature_0_choice_168) * 16) +
-        (as_number(transform_left_filter_feature_0_choice_176) * 4) +
-        (as_number(transform_left_filter_feature_0_choice_184) * 2) +
-        as_number(transform_left_filter_feature_0_choice_192) when transform_filtering_column_inside_0 else 0;
-      transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
-        (as_number(transform_left_filter_feature_0_choice_128) * 512) +
-        (as_number(transform_left_filter_feature_0_choice_136) * 128) +
-        (as_number(transform_left_filter_feature_0_choice_144) * 64) +
-        (as_number(transform_left_filter_feature_0_choice_152) * 32) + transform_left_filter_feature_0_choice_193 when
-        transform_filtering_column_inside_1 else transform_left_filter_feature_0_choice_193;
-      transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194
-        when transform_filtering_column_inside_2 else transform_left_filter_feature_0_choice_194;
-      transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
-        (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
-        (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
-        (as_number(transform_left_filter_feature_0_choice_72) * 131072) +
-        (as_number(transform_left_filter_feature_0_choice_80) * 262144) +
-        (as_number(transform_left_filter_feature_0_choice_88) * 8192) + transform_left_filter_feature_0_choice_195 when
-        transform_filtering_column_inside_3 else (as_number(transform_left_filter_feature_0_choice_88) * 8192) +
-        transform_left_filter_feature_0_choice_195;
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_168) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_176) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_184) * 2) +
+          as_number(transform_left_filter_feature_0_choice_192);
+      else
+        transform_left_filter_feature_0_choice_193 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_128) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_136) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_144) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_152) * 32) + transform_left_filter_feature_0_choice_193;
+      else
+        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
+      else
+        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_left_filter_feature_0_choice_88) * 8192) + transform_left_filter_feature_0_choice_195;
+      else
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_88) * 8192) +
+          transform_left_filter_feature_0_choice_195;
+      end if;
       transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_2_2 mod 2) = 1));
@@ -2328,29 +2341,42 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
-        (as_number(transform_right_filter_feature_0_choice_168) * 16) +
-        (as_number(transform_right_filter_feature_0_choice_176) * 4) +
-        (as_number(transform_right_filter_feature_0_choice_184) * 2) +
-        as_number(transform_right_filter_feature_0_choice_192) when transform_filtering_column_inside_0 else 0;
-      transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
-        (as_number(transform_right_filter_feature_0_choice_128) * 512) +
-        (as_number(transform_right_filter_feature_0_choice_136) * 128) +
-        (as_number(transform_right_filter_feature_0_choice_144) * 64) +
-        (as_number(transform_right_filter_feature_0_choice_152) * 32) + transform_right_filter_feature_0_choice_193
-        when transform_filtering_column_inside_1 else transform_right_filter_feature_0_choice_193;
-      transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194
-        when transform_filtering_column_inside_2 else transform_right_filter_feature_0_choice_194;
-      transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384) +
-        (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
-        (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
-        (as_number(transform_right_filter_feature_0_choice_72) * 131072) +
-        (as_number(transform_right_filter_feature_0_choice_80) * 262144) +
-        (as_number(transform_right_filter_feature_0_choice_88) * 8192) + transform_right_filter_feature_0_choice_195
-        when transform_filtering_column_inside_3 else (as_number(transform_right_filter_feature_0_choice_88) * 8192) +
-        transform_right_filter_feature_0_choice_195;
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_168) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_176) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_184) * 2) +
+          as_number(transform_right_filter_feature_0_choice_192);
+      else
+        transform_right_filter_feature_0_choice_193 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_128) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_136) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_144) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_152) * 32) + transform_right_filter_feature_0_choice_193;
+      else
+        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
+      else
+        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
+          + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_right_filter_feature_0_choice_88) * 8192) + transform_right_filter_feature_0_choice_195;
+      else
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_88) * 8192) +
+          transform_right_filter_feature_0_choice_195;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;

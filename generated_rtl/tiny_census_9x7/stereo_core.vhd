@@ -3155,73 +3155,104 @@ begin
       transform_left_filter_feature_0_choice_496 := (not ((transform_left_filter_column_4_3 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_495 else (not
         ((transform_left_filter_column_4_3 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      transform_left_filter_feature_0_choice_497 := (as_number(transform_left_filter_feature_0_choice_448) * 32) +
-        (as_number(transform_left_filter_feature_0_choice_456) * 64) +
-        (as_number(transform_left_filter_feature_0_choice_464) * 16) +
-        (as_number(transform_left_filter_feature_0_choice_472) * 8) +
-        (as_number(transform_left_filter_feature_0_choice_480) * 4) +
-        (as_number(transform_left_filter_feature_0_choice_488) * 2) +
-        as_number(transform_left_filter_feature_0_choice_496) when transform_filtering_column_inside_0 else 0;
-      transform_left_filter_feature_0_choice_498 := (as_number(transform_left_filter_feature_0_choice_392) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice_400) * 8192) +
-        (as_number(transform_left_filter_feature_0_choice_408) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice_416) * 1024) +
-        (as_number(transform_left_filter_feature_0_choice_424) * 512) +
-        (as_number(transform_left_filter_feature_0_choice_432) * 256) +
-        (as_number(transform_left_filter_feature_0_choice_440) * 128) + transform_left_filter_feature_0_choice_497 when
-        transform_filtering_column_inside_1 else transform_left_filter_feature_0_choice_497;
-      transform_left_filter_feature_0_choice_499 := (as_number(transform_left_filter_feature_0_choice_336) * 524288) +
-        (as_number(transform_left_filter_feature_0_choice_344) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choice_352) * 262144) +
-        (as_number(transform_left_filter_feature_0_choice_360) * 131072) +
-        (as_number(transform_left_filter_feature_0_choice_368) * 65536) +
-        (as_number(transform_left_filter_feature_0_choice_376) * 32768) +
-        (as_number(transform_left_filter_feature_0_choice_384) * 16384) + transform_left_filter_feature_0_choice_498
-        when transform_filtering_column_inside_2 else transform_left_filter_feature_0_choice_498;
-      transform_left_filter_feature_0_choice_500 := (as_number(transform_left_filter_feature_0_choice_280) * 67108864)
-        + (as_number(transform_left_filter_feature_0_choice_288) * 134217728) +
-        (as_number(transform_left_filter_feature_0_choice_296) * 33554432) +
-        (as_number(transform_left_filter_feature_0_choice_304) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choice_312) * 8388608) +
-        (as_number(transform_left_filter_feature_0_choice_320) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choice_328) * 2097152) + transform_left_filter_feature_0_choice_499
-        when transform_filtering_column_inside_3 else transform_left_filter_feature_0_choice_499;
-      transform_left_filter_feature_0_choice_501 := to_unsigned(as_number(transform_left_filter_feature_0_choice_240),
-        1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_248), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_256), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_264), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_272), 1) &
-        to_unsigned(transform_left_filter_feature_0_choice_500, 28) when transform_filtering_column_inside_4 else
-        to_unsigned(transform_left_filter_feature_0_choice_500, 33);
-      transform_left_filter_feature_0_choice_502 := to_unsigned(as_number(transform_left_filter_feature_0_choice_224),
-        1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_216), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_208), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_200), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_192), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_184), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_176), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_232), 1) &
-        transform_left_filter_feature_0_choice_501(32 downto 0) when transform_filtering_column_inside_5 else
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_232), 8) &
-        transform_left_filter_feature_0_choice_501(32 downto 0);
-      transform_left_filter_feature_0_choice_503 := to_unsigned(as_number(transform_left_filter_feature_0_choice_168),
-        1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_160), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_152), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_144), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_136), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_128), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_120), 1) &
-        transform_left_filter_feature_0_choice_502(40 downto 0) when transform_filtering_column_inside_6 else
-        resize(transform_left_filter_feature_0_choice_502, 48);
-      transform_left_filter_feature_0_choice_504 := to_unsigned(as_number(transform_left_filter_feature_0_choice_112),
-        1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_104), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_96), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_88), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_80), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_72), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_64), 1) &
-        transform_left_filter_feature_0_choice_503(47 downto 0) when transform_filtering_column_inside_7 else
-        resize(transform_left_filter_feature_0_choice_503, 55);
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_0_choice_497 := (as_number(transform_left_filter_feature_0_choice_448) * 32) +
+          (as_number(transform_left_filter_feature_0_choice_456) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_464) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_472) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_480) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_488) * 2) +
+          as_number(transform_left_filter_feature_0_choice_496);
+      else
+        transform_left_filter_feature_0_choice_497 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_0_choice_498 := (as_number(transform_left_filter_feature_0_choice_392) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_400) * 8192) +
+          (as_number(transform_left_filter_feature_0_choice_408) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_416) * 1024) +
+          (as_number(transform_left_filter_feature_0_choice_424) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_432) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_440) * 128) + transform_left_filter_feature_0_choice_497;
+      else
+        transform_left_filter_feature_0_choice_498 := transform_left_filter_feature_0_choice_497;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_0_choice_499 := (as_number(transform_left_filter_feature_0_choice_336) * 524288)
+          + (as_number(transform_left_filter_feature_0_choice_344) * 1048576) +
+          (as_number(transform_left_filter_feature_0_choice_352) * 262144) +
+          (as_number(transform_left_filter_feature_0_choice_360) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_368) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_376) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_384) * 16384) + transform_left_filter_feature_0_choice_498;
+      else
+        transform_left_filter_feature_0_choice_499 := transform_left_filter_feature_0_choice_498;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_0_choice_500 := (as_number(transform_left_filter_feature_0_choice_280) *
+          67108864) + (as_number(transform_left_filter_feature_0_choice_288) * 134217728) +
+          (as_number(transform_left_filter_feature_0_choice_296) * 33554432) +
+          (as_number(transform_left_filter_feature_0_choice_304) * 16777216) +
+          (as_number(transform_left_filter_feature_0_choice_312) * 8388608) +
+          (as_number(transform_left_filter_feature_0_choice_320) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_328) * 2097152) +
+          transform_left_filter_feature_0_choice_499;
+      else
+        transform_left_filter_feature_0_choice_500 := transform_left_filter_feature_0_choice_499;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_left_filter_feature_0_choice_501 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_240), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_248), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_256), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_264), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_272), 1) &
+          to_unsigned(transform_left_filter_feature_0_choice_500, 28);
+      else
+        transform_left_filter_feature_0_choice_501 := to_unsigned(transform_left_filter_feature_0_choice_500, 33);
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_left_filter_feature_0_choice_502 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_224), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_216), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_208), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_200), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_192), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_184), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_176), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_232), 1) &
+          transform_left_filter_feature_0_choice_501(32 downto 0);
+      else
+        transform_left_filter_feature_0_choice_502 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_232), 8) &
+          transform_left_filter_feature_0_choice_501(32 downto 0);
+      end if;
+      if transform_filtering_column_inside_6 then
+        transform_left_filter_feature_0_choice_503 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_168), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_160), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_152), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_144), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_136), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_128), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_120), 1) &
+          transform_left_filter_feature_0_choice_502(40 downto 0);
+      else
+        transform_left_filter_feature_0_choice_503 := resize(transform_left_filter_feature_0_choice_502, 48);
+      end if;
+      if transform_filtering_column_inside_7 then
+        transform_left_filter_feature_0_choice_504 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_112), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_104), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_96), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_88), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_80), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_72), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_64), 1) &
+          transform_left_filter_feature_0_choice_503(47 downto 0);
+      else
+        transform_left_filter_feature_0_choice_504 := resize(transform_left_filter_feature_0_choice_503, 55);
+      end if;
       transform_right_filter_feature_0_value := ((transform_right_filter_column_4_3 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_4_3 mod 2) = 1));
@@ -4663,78 +4694,105 @@ begin
       transform_right_filter_feature_0_choice_496 := (not ((transform_right_filter_column_4_3 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_495 else (not
         ((transform_right_filter_column_4_3 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      transform_right_filter_feature_0_choice_497 := (as_number(transform_right_filter_feature_0_choice_448) * 32) +
-        (as_number(transform_right_filter_feature_0_choice_456) * 64) +
-        (as_number(transform_right_filter_feature_0_choice_464) * 16) +
-        (as_number(transform_right_filter_feature_0_choice_472) * 8) +
-        (as_number(transform_right_filter_feature_0_choice_480) * 4) +
-        (as_number(transform_right_filter_feature_0_choice_488) * 2) +
-        as_number(transform_right_filter_feature_0_choice_496) when transform_filtering_column_inside_0 else 0;
-      transform_right_filter_feature_0_choice_498 := (as_number(transform_right_filter_feature_0_choice_392) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice_400) * 8192) +
-        (as_number(transform_right_filter_feature_0_choice_408) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice_416) * 1024) +
-        (as_number(transform_right_filter_feature_0_choice_424) * 512) +
-        (as_number(transform_right_filter_feature_0_choice_432) * 256) +
-        (as_number(transform_right_filter_feature_0_choice_440) * 128) + transform_right_filter_feature_0_choice_497
-        when transform_filtering_column_inside_1 else transform_right_filter_feature_0_choice_497;
-      transform_right_filter_feature_0_choice_499 := (as_number(transform_right_filter_feature_0_choice_336) * 524288)
-        + (as_number(transform_right_filter_feature_0_choice_344) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choice_352) * 262144) +
-        (as_number(transform_right_filter_feature_0_choice_360) * 131072) +
-        (as_number(transform_right_filter_feature_0_choice_368) * 65536) +
-        (as_number(transform_right_filter_feature_0_choice_376) * 32768) +
-        (as_number(transform_right_filter_feature_0_choice_384) * 16384) + transform_right_filter_feature_0_choice_498
-        when transform_filtering_column_inside_2 else transform_right_filter_feature_0_choice_498;
-      transform_right_filter_feature_0_choice_500 := (as_number(transform_right_filter_feature_0_choice_280) *
-        67108864) + (as_number(transform_right_filter_feature_0_choice_288) * 134217728) +
-        (as_number(transform_right_filter_feature_0_choice_296) * 33554432) +
-        (as_number(transform_right_filter_feature_0_choice_304) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choice_312) * 8388608) +
-        (as_number(transform_right_filter_feature_0_choice_320) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choice_328) * 2097152) +
-        transform_right_filter_feature_0_choice_499 when transform_filtering_column_inside_3 else
-        transform_right_filter_feature_0_choice_499;
-      transform_right_filter_feature_0_choice_501 :=
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_240), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_248), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_256), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_264), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_272), 1) &
-        to_unsigned(transform_right_filter_feature_0_choice_500, 28) when transform_filtering_column_inside_4 else
-        to_unsigned(transform_right_filter_feature_0_choice_500, 33);
-      transform_right_filter_feature_0_choice_502 :=
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_224), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_216), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_208), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_200), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_192), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_184), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_176), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_232), 1) &
-        transform_right_filter_feature_0_choice_501(32 downto 0) when transform_filtering_column_inside_5 else
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_232), 8) &
-        transform_right_filter_feature_0_choice_501(32 downto 0);
-      transform_right_filter_feature_0_choice_503 :=
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_168), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_160), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_152), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_144), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_136), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_128), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_120), 1) &
-        transform_right_filter_feature_0_choice_502(40 downto 0) when transform_filtering_column_inside_6 else
-        resize(transform_right_filter_feature_0_choice_502, 48);
-      transform_right_filter_feature_0_choice_504 :=
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_104), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_96), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_88), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_80), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_64), 1) &
-        transform_right_filter_feature_0_choice_503(47 downto 0) when transform_filtering_column_inside_7 else
-        resize(transform_right_filter_feature_0_choice_503, 55);
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_0_choice_497 := (as_number(transform_right_filter_feature_0_choice_448) * 32) +
+          (as_number(transform_right_filter_feature_0_choice_456) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_464) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_472) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_480) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_488) * 2) +
+          as_number(transform_right_filter_feature_0_choice_496);
+      else
+        transform_right_filter_feature_0_choice_497 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_0_choice_498 := (as_number(transform_right_filter_feature_0_choice_392) * 4096)
+          + (as_number(transform_right_filter_feature_0_choice_400) * 8192) +
+          (as_number(transform_right_filter_feature_0_choice_408) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_416) * 1024) +
+          (as_number(transform_right_filter_feature_0_choice_424) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_432) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_440) * 128) + transform_right_filter_feature_0_choice_497;
+      else
+        transform_right_filter_feature_0_choice_498 := transform_right_filter_feature_0_choice_497;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_0_choice_499 := (as_number(transform_right_filter_feature_0_choice_336) *
+          524288) + (as_number(transform_right_filter_feature_0_choice_344) * 1048576) +
+          (as_number(transform_right_filter_feature_0_choice_352) * 262144) +
+          (as_number(transform_right_filter_feature_0_choice_360) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_368) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_376) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_384) * 16384) +
+          transform_right_filter_feature_0_choice_498;
+      else
+        transform_right_filter_feature_0_choice_499 := transform_right_filter_feature_0_choice_498;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_0_choice_500 := (as_number(transform_right_filter_feature_0_choice_280) *
+          67108864) + (as_number(transform_right_filter_feature_0_choice_288) * 134217728) +
+          (as_number(transform_right_filter_feature_0_choice_296) * 33554432) +
+          (as_number(transform_right_filter_feature_0_choice_304) * 16777216) +
+          (as_number(transform_right_filter_feature_0_choice_312) * 8388608) +
+          (as_number(transform_right_filter_feature_0_choice_320) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_328) * 2097152) +
+          transform_right_filter_feature_0_choice_499;
+      else
+        transform_right_filter_feature_0_choice_500 := transform_right_filter_feature_0_choice_499;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_right_filter_feature_0_choice_501 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_240), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_248), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_256), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_264), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_272), 1) &
+          to_unsigned(transform_right_filter_feature_0_choice_500, 28);
+      else
+        transform_right_filter_feature_0_choice_501 := to_unsigned(transform_right_filter_feature_0_choice_500, 33);
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_right_filter_feature_0_choice_502 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_224), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_216), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_208), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_200), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_192), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_184), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_176), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_232), 1) &
+          transform_right_filter_feature_0_choice_501(32 downto 0);
+      else
+        transform_right_filter_feature_0_choice_502 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_232), 8) &
+          transform_right_filter_feature_0_choice_501(32 downto 0);
+      end if;
+      if transform_filtering_column_inside_6 then
+        transform_right_filter_feature_0_choice_503 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_168), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_160), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_152), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_144), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_136), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_128), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_120), 1) &
+          transform_right_filter_feature_0_choice_502(40 downto 0);
+      else
+        transform_right_filter_feature_0_choice_503 := resize(transform_right_filter_feature_0_choice_502, 48);
+      end if;
+      if transform_filtering_column_inside_7 then
+        transform_right_filter_feature_0_choice_504 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_104), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_96), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_88), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_80), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_64), 1) &
+          transform_right_filter_feature_0_choice_503(47 downto 0);
+      else
+        transform_right_filter_feature_0_choice_504 := resize(transform_right_filter_feature_0_choice_503, 55);
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;

@@ -1682,29 +1682,42 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
-        (as_number(transform_left_filter_feature_0_choice_168) * 16) +
-        (as_number(transform_left_filter_feature_0_choice_176) * 4) +
-        (as_number(transform_left_filter_feature_0_choice_184) * 2) +
-        as_number(transform_left_filter_feature_0_choice_192) when transform_filtering_column_inside_0 else 0;
-      transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
-        (as_number(transform_left_filter_feature_0_choice_128) * 512) +
-        (as_number(transform_left_filter_feature_0_choice_136) * 128) +
-        (as_number(transform_left_filter_feature_0_choice_144) * 64) +
-        (as_number(transform_left_filter_feature_0_choice_152) * 32) + transform_left_filter_feature_0_choice_193 when
-        transform_filtering_column_inside_1 else transform_left_filter_feature_0_choice_193;
-      transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194
-        when transform_filtering_column_inside_2 else transform_left_filter_feature_0_choice_194;
-      transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
-        (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
-        (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
-        (as_number(transform_left_filter_feature_0_choice_72) * 131072) +
-        (as_number(transform_left_filter_feature_0_choice_80) * 262144) +
-        (as_number(transform_left_filter_feature_0_choice_88) * 8192) + transform_left_filter_feature_0_choice_195 when
-        transform_filtering_column_inside_3 else (as_number(transform_left_filter_feature_0_choice_88) * 8192) +
-        transform_left_filter_feature_0_choice_195;
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_168) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_176) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_184) * 2) +
+          as_number(transform_left_filter_feature_0_choice_192);
+      else
+        transform_left_filter_feature_0_choice_193 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_128) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_136) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_144) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_152) * 32) + transform_left_filter_feature_0_choice_193;
+      else
+        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
+      else
+        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_left_filter_feature_0_choice_88) * 8192) + transform_left_filter_feature_0_choice_195;
+      else
+        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_88) * 8192) +
+          transform_left_filter_feature_0_choice_195;
+      end if;
       transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_2_2 mod 2) = 1));
@@ -2272,29 +2285,42 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
-        (as_number(transform_right_filter_feature_0_choice_168) * 16) +
-        (as_number(transform_right_filter_feature_0_choice_176) * 4) +
-        (as_number(transform_right_filter_feature_0_choice_184) * 2) +
-        as_number(transform_right_filter_feature_0_choice_192) when transform_filtering_column_inside_0 else 0;
-      transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
-        (as_number(transform_right_filter_feature_0_choice_128) * 512) +
-        (as_number(transform_right_filter_feature_0_choice_136) * 128) +
-        (as_number(transform_right_filter_feature_0_choice_144) * 64) +
-        (as_number(transform_right_filter_feature_0_choice_152) * 32) + transform_right_filter_feature_0_choice_193
-        when transform_filtering_column_inside_1 else transform_right_filter_feature_0_choice_193;
-      transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194
-        when transform_filtering_column_inside_2 else transform_right_filter_feature_0_choice_194;
-      transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384) +
-        (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
-        (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
-        (as_number(transform_right_filter_feature_0_choice_72) * 131072) +
-        (as_number(transform_right_filter_feature_0_choice_80) * 262144) +
-        (as_number(transform_right_filter_feature_0_choice_88) * 8192) + transform_right_filter_feature_0_choice_195
-        when transform_filtering_column_inside_3 else (as_number(transform_right_filter_feature_0_choice_88) * 8192) +
-        transform_right_filter_feature_0_choice_195;
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_168) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_176) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_184) * 2) +
+          as_number(transform_right_filter_feature_0_choice_192);
+      else
+        transform_right_filter_feature_0_choice_193 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_128) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_136) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_144) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_152) * 32) + transform_right_filter_feature_0_choice_193;
+      else
+        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
+      else
+        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
+          + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_72) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_80) * 262144) +
+          (as_number(transform_right_filter_feature_0_choice_88) * 8192) + transform_right_filter_feature_0_choice_195;
+      else
+        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_88) * 8192) +
+          transform_right_filter_feature_0_choice_195;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -3108,12 +3134,21 @@ begin
         slice0window_read_address <= 0 when slice0window_read_address = 6 else (slice0window_read_address + 1) mod 8;
         slice0window_write_address <= slice0window_read_address;
       end if;
-      slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(7 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(15 downto 8)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(23 downto 16)) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(7 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(15 downto 8));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(23 downto 16));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
       slice0window_entering_0_1 <= slice0cost_column_0_1;
       slice0window_entering_0_2 <= slice0cost_column_0_2;
@@ -3690,12 +3725,21 @@ begin
         slice1window_read_address <= 0 when slice1window_read_address = 6 else (slice1window_read_address + 1) mod 8;
         slice1window_write_address <= slice1window_read_address;
       end if;
-      slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(7 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(15 downto 8)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(23 downto 16)) when
-        slice0window_change_tag_leaves_window else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(7 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(15 downto 8));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(23 downto 16));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;
@@ -4110,10 +4154,16 @@ begin
         slice2window_read_address <= 0 when slice2window_read_address = 6 else (slice2window_read_address + 1) mod 8;
         slice2window_write_address <= slice2window_read_address;
       end if;
-      slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(7 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(15 downto 8)) when
-        slice1window_change_tag_leaves_window else 0;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(7 downto 0));
+      else
+        slice2window_change_0_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(15 downto 8));
+      else
+        slice2window_change_0_1_choice := 0;
+      end if;
       slice2window_entering_0_0 <= slice2cost_column_0_0;
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;

@@ -2046,17 +2046,27 @@ begin
       transform_left_filter_feature_0_choice_153 := (not ((transform_left_filter_column_3_1 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_152 else (not
         ((transform_left_filter_column_3_1 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      transform_left_filter_feature_0_choice_154 := (as_number(transform_left_filter_feature_0_choice_137) * 2) +
-        (as_number(transform_left_filter_feature_0_choice_145) * 4) +
-        as_number(transform_left_filter_feature_0_choice_153) when transform_filtering_column_inside_0 else 0;
-      transform_left_filter_feature_0_choice_155 := (as_number(transform_left_filter_feature_0_choice_113) * 16) +
-        (as_number(transform_left_filter_feature_0_choice_121) * 32) +
-        (as_number(transform_left_filter_feature_0_choice_129) * 8) + transform_left_filter_feature_0_choice_154 when
-        transform_filtering_column_inside_1 else transform_left_filter_feature_0_choice_154;
-      transform_left_filter_feature_0_choice_156 := (as_number(transform_left_filter_feature_0_choice_89) * 128) +
-        (as_number(transform_left_filter_feature_0_choice_97) * 256) +
-        (as_number(transform_left_filter_feature_0_choice_105) * 64) + transform_left_filter_feature_0_choice_155 when
-        transform_filtering_column_inside_2 else transform_left_filter_feature_0_choice_155;
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_0_choice_154 := (as_number(transform_left_filter_feature_0_choice_137) * 2) +
+          (as_number(transform_left_filter_feature_0_choice_145) * 4) +
+          as_number(transform_left_filter_feature_0_choice_153);
+      else
+        transform_left_filter_feature_0_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_0_choice_155 := (as_number(transform_left_filter_feature_0_choice_113) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_121) * 32) +
+          (as_number(transform_left_filter_feature_0_choice_129) * 8) + transform_left_filter_feature_0_choice_154;
+      else
+        transform_left_filter_feature_0_choice_155 := transform_left_filter_feature_0_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_0_choice_156 := (as_number(transform_left_filter_feature_0_choice_89) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_97) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_105) * 64) + transform_left_filter_feature_0_choice_155;
+      else
+        transform_left_filter_feature_0_choice_156 := transform_left_filter_feature_0_choice_155;
+      end if;
       transform_left_filter_feature_0_choice_157 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
       transform_left_filter_feature_0_choice_158 := transform_left_filter_feature_0_choice_157 when
@@ -2080,19 +2090,28 @@ begin
       transform_left_filter_feature_0_choice_164 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
         ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_163 else
         ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_165 := transform_left_filter_feature_0_choice_156 +
-        (as_number(transform_left_filter_feature_0_choice_164) * 512) when transform_filtering_column_inside_3 else
-        transform_left_filter_feature_0_choice_156;
-      transform_left_filter_feature_0_choice_166 := (as_number(transform_left_filter_feature_0_choice_56) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice_64) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice_72) * 8192) +
-        (as_number(transform_left_filter_feature_0_choice_81) * 1024) + transform_left_filter_feature_0_choice_165 when
-        transform_filtering_column_inside_4 else (as_number(transform_left_filter_feature_0_choice_81) * 1024) +
-        transform_left_filter_feature_0_choice_165;
-      transform_left_filter_feature_0_choice_167 := (as_number(transform_left_filter_feature_0_choice_32) * 16384) +
-        (as_number(transform_left_filter_feature_0_choice_40) * 32768) +
-        (as_number(transform_left_filter_feature_0_choice_48) * 65536) + transform_left_filter_feature_0_choice_166
-        when transform_filtering_column_inside_5 else transform_left_filter_feature_0_choice_166;
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_0_choice_165 := transform_left_filter_feature_0_choice_156 +
+          (as_number(transform_left_filter_feature_0_choice_164) * 512);
+      else
+        transform_left_filter_feature_0_choice_165 := transform_left_filter_feature_0_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_left_filter_feature_0_choice_166 := (as_number(transform_left_filter_feature_0_choice_56) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_64) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_72) * 8192) +
+          (as_number(transform_left_filter_feature_0_choice_81) * 1024) + transform_left_filter_feature_0_choice_165;
+      else
+        transform_left_filter_feature_0_choice_166 := (as_number(transform_left_filter_feature_0_choice_81) * 1024) +
+          transform_left_filter_feature_0_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_left_filter_feature_0_choice_167 := (as_number(transform_left_filter_feature_0_choice_32) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_40) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_48) * 65536) + transform_left_filter_feature_0_choice_166;
+      else
+        transform_left_filter_feature_0_choice_167 := transform_left_filter_feature_0_choice_166;
+      end if;
       transform_left_filter_feature_1_any := (not transform_left_filter_feature_0_value_13) or (not
         ((transform_left_filter_column_3_2 mod 2) = 1));
       transform_left_filter_feature_1_choice := transform_left_filter_feature_1_any when
@@ -2536,17 +2555,27 @@ begin
       transform_left_filter_feature_1_choice_153 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
         ((transform_left_filter_column_0_1 / 128) = 1) when transform_left_filter_feature_1_choice_152 else (not
         ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_0_1 / 128) = 1);
-      transform_left_filter_feature_1_choice_154 := (as_number(transform_left_filter_feature_1_choice_137) * 2) +
-        (as_number(transform_left_filter_feature_1_choice_145) * 4) +
-        as_number(transform_left_filter_feature_1_choice_153) when transform_filtering_column_inside_0 else 0;
-      transform_left_filter_feature_1_choice_155 := (as_number(transform_left_filter_feature_1_choice_113) * 16) +
-        (as_number(transform_left_filter_feature_1_choice_121) * 32) +
-        (as_number(transform_left_filter_feature_1_choice_129) * 8) + transform_left_filter_feature_1_choice_154 when
-        transform_filtering_column_inside_1 else transform_left_filter_feature_1_choice_154;
-      transform_left_filter_feature_1_choice_156 := (as_number(transform_left_filter_feature_1_choice_89) * 128) +
-        (as_number(transform_left_filter_feature_1_choice_97) * 256) +
-        (as_number(transform_left_filter_feature_1_choice_105) * 64) + transform_left_filter_feature_1_choice_155 when
-        transform_filtering_column_inside_2 else transform_left_filter_feature_1_choice_155;
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_1_choice_154 := (as_number(transform_left_filter_feature_1_choice_137) * 2) +
+          (as_number(transform_left_filter_feature_1_choice_145) * 4) +
+          as_number(transform_left_filter_feature_1_choice_153);
+      else
+        transform_left_filter_feature_1_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_1_choice_155 := (as_number(transform_left_filter_feature_1_choice_113) * 16) +
+          (as_number(transform_left_filter_feature_1_choice_121) * 32) +
+          (as_number(transform_left_filter_feature_1_choice_129) * 8) + transform_left_filter_feature_1_choice_154;
+      else
+        transform_left_filter_feature_1_choice_155 := transform_left_filter_feature_1_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_1_choice_156 := (as_number(transform_left_filter_feature_1_choice_89) * 128) +
+          (as_number(transform_left_filter_feature_1_choice_97) * 256) +
+          (as_number(transform_left_filter_feature_1_choice_105) * 64) + transform_left_filter_feature_1_choice_155;
+      else
+        transform_left_filter_feature_1_choice_156 := transform_left_filter_feature_1_choice_155;
+      end if;
       transform_left_filter_feature_1_choice_157 := not transform_left_filter_feature_0_value when
         (transform_left_filter_column_3_2 mod 2) = 1 else transform_left_filter_feature_0_is_equal;
       transform_left_filter_feature_1_choice_158 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
@@ -2565,19 +2594,28 @@ begin
       transform_left_filter_feature_1_choice_164 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
         ((transform_left_filter_column_3_1 / 128) = 1) when transform_left_filter_feature_1_choice_163 else (not
         ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_3_1 / 128) = 1);
-      transform_left_filter_feature_1_choice_165 := transform_left_filter_feature_1_choice_156 +
-        (as_number(transform_left_filter_feature_1_choice_164) * 512) when transform_filtering_column_inside_3 else
-        transform_left_filter_feature_1_choice_156;
-      transform_left_filter_feature_1_choice_166 := (as_number(transform_left_filter_feature_1_choice_56) * 2048) +
-        (as_number(transform_left_filter_feature_1_choice_64) * 4096) +
-        (as_number(transform_left_filter_feature_1_choice_72) * 8192) +
-        (as_number(transform_left_filter_feature_1_choice_81) * 1024) + transform_left_filter_feature_1_choice_165 when
-        transform_filtering_column_inside_4 else (as_number(transform_left_filter_feature_1_choice_81) * 1024) +
-        transform_left_filter_feature_1_choice_165;
-      transform_left_filter_feature_1_choice_167 := (as_number(transform_left_filter_feature_1_choice_32) * 16384) +
-        (as_number(transform_left_filter_feature_1_choice_40) * 32768) +
-        (as_number(transform_left_filter_feature_1_choice_48) * 65536) + transform_left_filter_feature_1_choice_166
-        when transform_filtering_column_inside_5 else transform_left_filter_feature_1_choice_166;
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_1_choice_165 := transform_left_filter_feature_1_choice_156 +
+          (as_number(transform_left_filter_feature_1_choice_164) * 512);
+      else
+        transform_left_filter_feature_1_choice_165 := transform_left_filter_feature_1_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_left_filter_feature_1_choice_166 := (as_number(transform_left_filter_feature_1_choice_56) * 2048) +
+          (as_number(transform_left_filter_feature_1_choice_64) * 4096) +
+          (as_number(transform_left_filter_feature_1_choice_72) * 8192) +
+          (as_number(transform_left_filter_feature_1_choice_81) * 1024) + transform_left_filter_feature_1_choice_165;
+      else
+        transform_left_filter_feature_1_choice_166 := (as_number(transform_left_filter_feature_1_choice_81) * 1024) +
+          transform_left_filter_feature_1_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_left_filter_feature_1_choice_167 := (as_number(transform_left_filter_feature_1_choice_32) * 16384) +
+          (as_number(transform_left_filter_feature_1_choice_40) * 32768) +
+          (as_number(transform_left_filter_feature_1_choice_48) * 65536) + transform_left_filter_feature_1_choice_166;
+      else
+        transform_left_filter_feature_1_choice_167 := transform_left_filter_feature_1_choice_166;
+      end if;
       transform_right_filter_feature_0_value := ((transform_right_filter_column_3_1 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_3_1 mod 2) = 1));
@@ -3095,17 +3133,27 @@ begin
       transform_right_filter_feature_0_choice_153 := (not ((transform_right_filter_column_3_1 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_152 else (not
         ((transform_right_filter_column_3_1 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      transform_right_filter_feature_0_choice_154 := (as_number(transform_right_filter_feature_0_choice_137) * 2) +
-        (as_number(transform_right_filter_feature_0_choice_145) * 4) +
-        as_number(transform_right_filter_feature_0_choice_153) when transform_filtering_column_inside_0 else 0;
-      transform_right_filter_feature_0_choice_155 := (as_number(transform_right_filter_feature_0_choice_113) * 16) +
-        (as_number(transform_right_filter_feature_0_choice_121) * 32) +
-        (as_number(transform_right_filter_feature_0_choice_129) * 8) + transform_right_filter_feature_0_choice_154 when
-        transform_filtering_column_inside_1 else transform_right_filter_feature_0_choice_154;
-      transform_right_filter_feature_0_choice_156 := (as_number(transform_right_filter_feature_0_choice_89) * 128) +
-        (as_number(transform_right_filter_feature_0_choice_97) * 256) +
-        (as_number(transform_right_filter_feature_0_choice_105) * 64) + transform_right_filter_feature_0_choice_155
-        when transform_filtering_column_inside_2 else transform_right_filter_feature_0_choice_155;
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_0_choice_154 := (as_number(transform_right_filter_feature_0_choice_137) * 2) +
+          (as_number(transform_right_filter_feature_0_choice_145) * 4) +
+          as_number(transform_right_filter_feature_0_choice_153);
+      else
+        transform_right_filter_feature_0_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_0_choice_155 := (as_number(transform_right_filter_feature_0_choice_113) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_121) * 32) +
+          (as_number(transform_right_filter_feature_0_choice_129) * 8) + transform_right_filter_feature_0_choice_154;
+      else
+        transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_0_choice_156 := (as_number(transform_right_filter_feature_0_choice_89) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_97) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_105) * 64) + transform_right_filter_feature_0_choice_155;
+      else
+        transform_right_filter_feature_0_choice_156 := transform_right_filter_feature_0_choice_155;
+      end if;
       transform_right_filter_feature_0_choice_157 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
       transform_right_filter_feature_0_choice_158 := transform_right_filter_feature_0_choice_157 when
@@ -3129,19 +3177,28 @@ begin
       transform_right_filter_feature_0_choice_164 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
         ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_163 else
         ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_165 := transform_right_filter_feature_0_choice_156 +
-        (as_number(transform_right_filter_feature_0_choice_164) * 512) when transform_filtering_column_inside_3 else
-        transform_right_filter_feature_0_choice_156;
-      transform_right_filter_feature_0_choice_166 := (as_number(transform_right_filter_feature_0_choice_56) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice_64) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice_72) * 8192) +
-        (as_number(transform_right_filter_feature_0_choice_81) * 1024) + transform_right_filter_feature_0_choice_165
-        when transform_filtering_column_inside_4 else (as_number(transform_right_filter_feature_0_choice_81) * 1024) +
-        transform_right_filter_feature_0_choice_165;
-      transform_right_filter_feature_0_choice_167 := (as_number(transform_right_filter_feature_0_choice_32) * 16384) +
-        (as_number(transform_right_filter_feature_0_choice_40) * 32768) +
-        (as_number(transform_right_filter_feature_0_choice_48) * 65536) + transform_right_filter_feature_0_choice_166
-        when transform_filtering_column_inside_5 else transform_right_filter_feature_0_choice_166;
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_0_choice_165 := transform_right_filter_feature_0_choice_156 +
+          (as_number(transform_right_filter_feature_0_choice_164) * 512);
+      else
+        transform_right_filter_feature_0_choice_165 := transform_right_filter_feature_0_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_right_filter_feature_0_choice_166 := (as_number(transform_right_filter_feature_0_choice_56) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_64) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_72) * 8192) +
+          (as_number(transform_right_filter_feature_0_choice_81) * 1024) + transform_right_filter_feature_0_choice_165;
+      else
+        transform_right_filter_feature_0_choice_166 := (as_number(transform_right_filter_feature_0_choice_81) * 1024) +
+          transform_right_filter_feature_0_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_right_filter_feature_0_choice_167 := (as_number(transform_right_filter_feature_0_choice_32) * 16384)
+          + (as_number(transform_right_filter_feature_0_choice_40) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_48) * 65536) + transform_right_filter_feature_0_choice_166;
+      else
+        transform_right_filter_feature_0_choice_167 := transform_right_filter_feature_0_choice_166;
+      end if;
       transform_right_filter_feature_1_any := (not transform_right_filter_feature_0_value_13) or (not
         ((transform_right_filter_column_3_2 mod 2) = 1));
       transform_right_filter_feature_1_choice := transform_right_filter_feature_1_any when
@@ -3585,17 +3642,27 @@ begin
       transform_right_filter_feature_1_choice_153 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
         ((transform_right_filter_column_0_1 / 128) = 1) when transform_right_filter_feature_1_choice_152 else (not
         ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_0_1 / 128) = 1);
-      transform_right_filter_feature_1_choice_154 := (as_number(transform_right_filter_feature_1_choice_137) * 2) +
-        (as_number(transform_right_filter_feature_1_choice_145) * 4) +
-        as_number(transform_right_filter_feature_1_choice_153) when transform_filtering_column_inside_0 else 0;
-      transform_right_filter_feature_1_choice_155 := (as_number(transform_right_filter_feature_1_choice_113) * 16) +
-        (as_number(transform_right_filter_feature_1_choice_121) * 32) +
-        (as_number(transform_right_filter_feature_1_choice_129) * 8) + transform_right_filter_feature_1_choice_154 when
-        transform_filtering_column_inside_1 else transform_right_filter_feature_1_choice_154;
-      transform_right_filter_feature_1_choice_156 := (as_number(transform_right_filter_feature_1_choice_89) * 128) +
-        (as_number(transform_right_filter_feature_1_choice_97) * 256) +
-        (as_number(transform_right_filter_feature_1_choice_105) * 64) + transform_right_filter_feature_1_choice_155
-        when transform_filtering_column_inside_2 else transform_right_filter_feature_1_choice_155;
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_1_choice_154 := (as_number(transform_right_filter_feature_1_choice_137) * 2) +
+          (as_number(transform_right_filter_feature_1_choice_145) * 4) +
+          as_number(transform_right_filter_feature_1_choice_153);
+      else
+        transform_right_filter_feature_1_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_1_choice_155 := (as_number(transform_right_filter_feature_1_choice_113) * 16) +
+          (as_number(transform_right_filter_feature_1_choice_121) * 32) +
+          (as_number(transform_right_filter_feature_1_choice_129) * 8) + transform_right_filter_feature_1_choice_154;
+      else
+        transform_right_filter_feature_1_choice_155 := transform_right_filter_feature_1_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_1_choice_156 := (as_number(transform_right_filter_feature_1_choice_89) * 128) +
+          (as_number(transform_right_filter_feature_1_choice_97) * 256) +
+          (as_number(transform_right_filter_feature_1_choice_105) * 64) + transform_right_filter_feature_1_choice_155;
+      else
+        transform_right_filter_feature_1_choice_156 := transform_right_filter_feature_1_choice_155;
+      end if;
       transform_right_filter_feature_1_choice_157 := not transform_right_filter_feature_0_value when
         (transform_right_filter_column_3_2 mod 2) = 1 else transform_right_filter_feature_0_is_equal;
       transform_right_filter_feature_1_choice_158 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
@@ -3614,19 +3681,28 @@ begin
       transform_right_filter_feature_1_choice_164 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
         ((transform_right_filter_column_3_1 / 128) = 1) when transform_right_filter_feature_1_choice_163 else (not
         ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_3_1 / 128) = 1);
-      transform_right_filter_feature_1_choice_165 := transform_right_filter_feature_1_choice_156 +
-        (as_number(transform_right_filter_feature_1_choice_164) * 512) when transform_filtering_column_inside_3 else
-        transform_right_filter_feature_1_choice_156;
-      transform_right_filter_feature_1_choice_166 := (as_number(transform_right_filter_feature_1_choice_56) * 2048) +
-        (as_number(transform_right_filter_feature_1_choice_64) * 4096) +
-        (as_number(transform_right_filter_feature_1_choice_72) * 8192) +
-        (as_number(transform_right_filter_feature_1_choice_81) * 1024) + transform_right_filter_feature_1_choice_165
-        when transform_filtering_column_inside_4 else (as_number(transform_right_filter_feature_1_choice_81) * 1024) +
-        transform_right_filter_feature_1_choice_165;
-      transform_right_filter_feature_1_choice_167 := (as_number(transform_right_filter_feature_1_choice_32) * 16384) +
-        (as_number(transform_right_filter_feature_1_choice_40) * 32768) +
-        (as_number(transform_right_filter_feature_1_choice_48) * 65536) + transform_right_filter_feature_1_choice_166
-        when transform_filtering_column_inside_5 else transform_right_filter_feature_1_choice_166;
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_1_choice_165 := transform_right_filter_feature_1_choice_156 +
+          (as_number(transform_right_filter_feature_1_choice_164) * 512);
+      else
+        transform_right_filter_feature_1_choice_165 := transform_right_filter_feature_1_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_right_filter_feature_1_choice_166 := (as_number(transform_right_filter_feature_1_choice_56) * 2048) +
+          (as_number(transform_right_filter_feature_1_choice_64) * 4096) +
+          (as_number(transform_right_filter_feature_1_choice_72) * 8192) +
+          (as_number(transform_right_filter_feature_1_choice_81) * 1024) + transform_right_filter_feature_1_choice_165;
+      else
+        transform_right_filter_feature_1_choice_166 := (as_number(transform_right_filter_feature_1_choice_81) * 1024) +
+          transform_right_filter_feature_1_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_right_filter_feature_1_choice_167 := (as_number(transform_right_filter_feature_1_choice_32) * 16384)
+          + (as_number(transform_right_filter_feature_1_choice_40) * 32768) +
+          (as_number(transform_right_filter_feature_1_choice_48) * 65536) + transform_right_filter_feature_1_choice_166;
+      else
+        transform_right_filter_feature_1_choice_167 := transform_right_filter_feature_1_choice_166;
+      end if;
       transform_left_0 <= in_left_pixel mod 256;
       transform_left_1 <= in_left_pixel / 256;
       transform_right_0 <= in_right_pixel mod 256;

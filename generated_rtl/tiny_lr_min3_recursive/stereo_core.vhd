@@ -719,10 +719,16 @@ begin
         slice0window_read_address <= 0 when slice0window_read_address = 7 else (slice0window_read_address + 1) mod 8;
         slice0window_write_address <= slice0window_read_address;
       end if;
-      slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(10 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(21 downto 11)) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(10 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(21 downto 11));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
       slice0window_change_0_2_choice := to_integer(slice0window_leaving_1) when slice0window_entering_tag_leaves_window
         else 0;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
@@ -917,10 +923,16 @@ begin
         slice1window_read_address <= 0 when slice1window_read_address = 7 else (slice1window_read_address + 1) mod 8;
         slice1window_write_address <= slice1window_read_address;
       end if;
-      slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(10 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(21 downto 11)) when
-        slice0window_change_tag_leaves_window else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(10 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(21 downto 11));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
       slice1window_change_0_2_choice := to_integer(slice1window_leaving_1) when slice0window_change_tag_leaves_window
         else 0;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
@@ -1077,10 +1089,16 @@ begin
         slice2window_read_address <= 0 when slice2window_read_address = 7 else (slice2window_read_address + 1) mod 8;
         slice2window_write_address <= slice2window_read_address;
       end if;
-      slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(10 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(21 downto 11)) when
-        slice1window_change_tag_leaves_window else 0;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(10 downto 0));
+      else
+        slice2window_change_0_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(21 downto 11));
+      else
+        slice2window_change_0_1_choice := 0;
+      end if;
       slice2window_entering_0_0 <= slice2cost_column_0_0;
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;

@@ -746,10 +746,22 @@ begin
         median_rows_write_words_0 <= (median_rows_ready_words_0 / 512) + (median_rows_ready_newest_0 * 512);
         median_at_column <= median_ready_column;
       end if;
-      median_low_0_0_choice := median_column_1 / 2 when slice0cost_pair_1_0 else median_column_2 / 2;
-      median_low_0_0_choice_2 := median_column_1 / 2 when median_at_top else median_column_0_value / 2;
+      if slice0cost_pair_1_0 then
+        median_low_0_0_choice := median_column_1 / 2;
+      else
+        median_low_0_0_choice := median_column_2 / 2;
+      end if;
+      if median_at_top then
+        median_low_0_0_choice_2 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_2 := median_column_0_value / 2;
+      end if;
       median_low_0_0_is_less := (median_column_1 / 2) < median_low_0_0_choice_2;
-      median_low_0_0_choice_3 := median_column_1 / 2 when median_low_0_0_is_less else median_low_0_0_choice_2;
+      if median_low_0_0_is_less then
+        median_low_0_0_choice_3 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_3 := median_low_0_0_choice_2;
+      end if;
       median_low_0_0_choice_4 := median_low_0_0_choice when median_low_0_0_choice < median_low_0_0_choice_3 else
         median_low_0_0_choice_3;
       median_low_0_0_choice_5 := median_low_0_0 when median_at_behind else median_low_0_0_choice_4;

@@ -931,26 +931,53 @@ begin
           to_unsigned((median_rows_ready_words_0 / 262144), 9)) or (to_unsigned(other_1, 22))));
         median_at_column <= median_ready_column;
       end if;
-      median_low_0_0_choice := median_column_1 / 2 when median_at_top else median_column_0_value / 2;
+      if median_at_top then
+        median_low_0_0_choice := median_column_1 / 2;
+      else
+        median_low_0_0_choice := median_column_0_value / 2;
+      end if;
       median_low_0_0_is_less := (median_column_1 / 2) < median_low_0_0_choice;
-      median_low_0_0_choice_2 := median_column_1 / 2 when median_low_0_0_is_less else median_low_0_0_choice;
-      median_low_0_0_choice_3 := median_column_2 / 2 when (median_column_2 / 2) < median_low_0_0_choice_2 else
-        median_low_0_0_choice_2;
+      if median_low_0_0_is_less then
+        median_low_0_0_choice_2 := median_column_1 / 2;
+      else
+        median_low_0_0_choice_2 := median_low_0_0_choice;
+      end if;
+      if (median_column_2 / 2) < median_low_0_0_choice_2 then
+        median_low_0_0_choice_3 := median_column_2 / 2;
+      else
+        median_low_0_0_choice_3 := median_low_0_0_choice_2;
+      end if;
       median_low_0_0_choice_4 := median_low_0_0 when median_at_behind else median_low_0_0_choice_3;
-      median_low_0_1_choice := median_column_2 / 2 when slice0cost_reverse_1_2 else median_column_3 / 2;
+      if slice0cost_reverse_1_2 then
+        median_low_0_1_choice := median_column_2 / 2;
+      else
+        median_low_0_1_choice := median_column_3 / 2;
+      end if;
       median_low_0_1_is_less := (median_column_2 / 2) < (median_column_1 / 2);
-      median_low_0_1_choice_2 := median_column_2 / 2 when median_low_0_1_is_less else median_column_1 / 2;
+      if median_low_0_1_is_less then
+        median_low_0_1_choice_2 := median_column_2 / 2;
+      else
+        median_low_0_1_choice_2 := median_column_1 / 2;
+      end if;
       median_low_0_1_choice_3 := median_low_0_1_choice when median_low_0_1_choice < median_low_0_1_choice_2 else
         median_low_0_1_choice_2;
       median_low_0_1_choice_4 := median_low_0_1 when median_at_behind else median_low_0_1_choice_3;
       median_low_1_0_all := median_at_arrives and median_complete_is_equal;
       median_middle_0_0_choice := median_low_0_0_choice when median_low_0_0_is_less else median_column_1 / 2;
       median_middle_0_0_is_less := (median_column_2 / 2) < median_middle_0_0_choice;
-      median_middle_0_0_choice_2 := median_column_2 / 2 when median_middle_0_0_is_less else median_middle_0_0_choice;
+      if median_middle_0_0_is_less then
+        median_middle_0_0_choice_2 := median_column_2 / 2;
+      else
+        median_middle_0_0_choice_2 := median_middle_0_0_choice;
+      end if;
       median_middle_0_0_choice_3 := median_low_0_0_choice_2 when median_middle_0_0_choice_2 < median_low_0_0_choice_2
         else median_middle_0_0_choice_2;
       median_middle_0_0_choice_4 := median_middle_0_0 when median_at_behind else median_middle_0_0_choice_3;
-      median_middle_0_1_choice := median_column_1 / 2 when median_low_0_1_is_less else median_column_2 / 2;
+      if median_low_0_1_is_less then
+        median_middle_0_1_choice := median_column_1 / 2;
+      else
+        median_middle_0_1_choice := median_column_2 / 2;
+      end if;
       median_middle_0_1_is_less := median_low_0_1_choice < median_middle_0_1_choice;
       median_middle_0_1_choice_2 := median_low_0_1_choice when median_middle_0_1_is_less else median_middle_0_1_choice;
       median_middle_0_1_choice_3 := median_low_0_1_choice_2 when median_middle_0_1_choice_2 < median_low_0_1_choice_2

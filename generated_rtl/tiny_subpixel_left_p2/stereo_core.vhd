@@ -966,16 +966,28 @@ begin
       refinement_remainder_7_1_choice := refinement_divisor_6_1 when refinement_remainder_7_1_is_not_less else 0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      refinement_fraction_0_choice := refinement_fraction_0_difference mod 256 when refinement_negative_8_0 else
-        refinement_fraction_0_value;
-      refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8 when refinement_negative_8_0 else
-        refinement_fraction_0_value mod 8;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
       refinement_fraction_1_difference := 0 - (refinement_quotient_8_1 / 16);
       refinement_fraction_1_value := (refinement_quotient_8_1 + 15) / 16;
-      refinement_fraction_1_choice := refinement_fraction_1_difference mod 256 when refinement_negative_8_1 else
-        refinement_fraction_1_value;
-      refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8 when refinement_negative_8_1 else
-        refinement_fraction_1_value mod 8;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice := refinement_fraction_1_difference mod 256;
+      else
+        refinement_fraction_1_choice := refinement_fraction_1_value;
+      end if;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8;
+      else
+        refinement_fraction_1_choice_2 := refinement_fraction_1_value mod 8;
+      end if;
       refinement_disparity_0_0 <= slice2best_index_0_0;
       refinement_disparity_0_1 <= slice2best_index_1_0;
       refinement_disparity_1_0 <= refinement_disparity_0_0;

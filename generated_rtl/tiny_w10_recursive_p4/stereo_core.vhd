@@ -1124,30 +1124,66 @@ begin
         slice0window_read_address <= 0 when slice0window_read_address = 10 else (slice0window_read_address + 1) mod 16;
         slice0window_write_address <= slice0window_read_address;
       end if;
-      slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(23 downto 12)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_1(11 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_1_0_choice := to_integer(slice0window_leaving_1(23 downto 12)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_1_1_choice := to_integer(slice0window_leaving_2(11 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_1_2_choice := to_integer(slice0window_leaving_2(23 downto 12)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_2_0_choice := to_integer(slice0window_leaving_3(11 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_2_1_choice := to_integer(slice0window_leaving_3(23 downto 12)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_2_2_choice := to_integer(slice0window_leaving_4(11 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_3_0_choice := to_integer(slice0window_leaving_4(23 downto 12)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_3_1_choice := to_integer(slice0window_leaving_5(11 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_3_2_choice := to_integer(slice0window_leaving_5(23 downto 12)) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(23 downto 12));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_1(11 downto 0));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_1_0_choice := to_integer(slice0window_leaving_1(23 downto 12));
+      else
+        slice0window_change_1_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_1_1_choice := to_integer(slice0window_leaving_2(11 downto 0));
+      else
+        slice0window_change_1_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_1_2_choice := to_integer(slice0window_leaving_2(23 downto 12));
+      else
+        slice0window_change_1_2_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_2_0_choice := to_integer(slice0window_leaving_3(11 downto 0));
+      else
+        slice0window_change_2_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_2_1_choice := to_integer(slice0window_leaving_3(23 downto 12));
+      else
+        slice0window_change_2_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_2_2_choice := to_integer(slice0window_leaving_4(11 downto 0));
+      else
+        slice0window_change_2_2_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_3_0_choice := to_integer(slice0window_leaving_4(23 downto 12));
+      else
+        slice0window_change_3_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_3_1_choice := to_integer(slice0window_leaving_5(11 downto 0));
+      else
+        slice0window_change_3_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_3_2_choice := to_integer(slice0window_leaving_5(23 downto 12));
+      else
+        slice0window_change_3_2_choice := 0;
+      end if;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
       slice0window_entering_0_1 <= slice0cost_column_0_1;
       slice0window_entering_0_2 <= slice0cost_column_0_2;
@@ -1471,30 +1507,66 @@ begin
         slice1window_read_address <= 0 when slice1window_read_address = 10 else (slice1window_read_address + 1) mod 16;
         slice1window_write_address <= slice1window_read_address;
       end if;
-      slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(23 downto 12)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_1(11 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_1_0_choice := to_integer(slice1window_leaving_1(23 downto 12)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_1_1_choice := to_integer(slice1window_leaving_2(11 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_1_2_choice := to_integer(slice1window_leaving_2(23 downto 12)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_2_0_choice := to_integer(slice1window_leaving_3(11 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_2_1_choice := to_integer(slice1window_leaving_3(23 downto 12)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_2_2_choice := to_integer(slice1window_leaving_4(11 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_3_0_choice := to_integer(slice1window_leaving_4(23 downto 12)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_3_1_choice := to_integer(slice1window_leaving_5(11 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_3_2_choice := to_integer(slice1window_leaving_5(23 downto 12)) when
-        slice0window_change_tag_leaves_window else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(23 downto 12));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_1(11 downto 0));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_1_0_choice := to_integer(slice1window_leaving_1(23 downto 12));
+      else
+        slice1window_change_1_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_1_1_choice := to_integer(slice1window_leaving_2(11 downto 0));
+      else
+        slice1window_change_1_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_1_2_choice := to_integer(slice1window_leaving_2(23 downto 12));
+      else
+        slice1window_change_1_2_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_2_0_choice := to_integer(slice1window_leaving_3(11 downto 0));
+      else
+        slice1window_change_2_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_2_1_choice := to_integer(slice1window_leaving_3(23 downto 12));
+      else
+        slice1window_change_2_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_2_2_choice := to_integer(slice1window_leaving_4(11 downto 0));
+      else
+        slice1window_change_2_2_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_3_0_choice := to_integer(slice1window_leaving_4(23 downto 12));
+      else
+        slice1window_change_3_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_3_1_choice := to_integer(slice1window_leaving_5(11 downto 0));
+      else
+        slice1window_change_3_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_3_2_choice := to_integer(slice1window_leaving_5(23 downto 12));
+      else
+        slice1window_change_3_2_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;
@@ -1789,30 +1861,66 @@ begin
         slice2window_read_address <= 0 when slice2window_read_address = 10 else (slice2window_read_address + 1) mod 16;
         slice2window_write_address <= slice2window_read_address;
       end if;
-      slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(11 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(23 downto 12)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_0_2_choice := to_integer(slice2window_leaving_1(11 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_1_0_choice := to_integer(slice2window_leaving_1(23 downto 12)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_1_1_choice := to_integer(slice2window_leaving_2(11 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_1_2_choice := to_integer(slice2window_leaving_2(23 downto 12)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_2_0_choice := to_integer(slice2window_leaving_3(11 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_2_1_choice := to_integer(slice2window_leaving_3(23 downto 12)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_2_2_choice := to_integer(slice2window_leaving_4(11 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_3_0_choice := to_integer(slice2window_leaving_4(23 downto 12)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_3_1_choice := to_integer(slice2window_leaving_5(11 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_3_2_choice := to_integer(slice2window_leaving_5(23 downto 12)) when
-        slice1window_change_tag_leaves_window else 0;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(11 downto 0));
+      else
+        slice2window_change_0_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(23 downto 12));
+      else
+        slice2window_change_0_1_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_2_choice := to_integer(slice2window_leaving_1(11 downto 0));
+      else
+        slice2window_change_0_2_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_1_0_choice := to_integer(slice2window_leaving_1(23 downto 12));
+      else
+        slice2window_change_1_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_1_1_choice := to_integer(slice2window_leaving_2(11 downto 0));
+      else
+        slice2window_change_1_1_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_1_2_choice := to_integer(slice2window_leaving_2(23 downto 12));
+      else
+        slice2window_change_1_2_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_2_0_choice := to_integer(slice2window_leaving_3(11 downto 0));
+      else
+        slice2window_change_2_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_2_1_choice := to_integer(slice2window_leaving_3(23 downto 12));
+      else
+        slice2window_change_2_1_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_2_2_choice := to_integer(slice2window_leaving_4(11 downto 0));
+      else
+        slice2window_change_2_2_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_3_0_choice := to_integer(slice2window_leaving_4(23 downto 12));
+      else
+        slice2window_change_3_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_3_1_choice := to_integer(slice2window_leaving_5(11 downto 0));
+      else
+        slice2window_change_3_1_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_3_2_choice := to_integer(slice2window_leaving_5(23 downto 12));
+      else
+        slice2window_change_3_2_choice := 0;
+      end if;
       slice2window_entering_0_0 <= slice2cost_column_0_0;
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_entering_0_2 <= slice2cost_column_0_2;

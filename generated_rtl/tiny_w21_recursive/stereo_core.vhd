@@ -795,18 +795,36 @@ begin
         slice0window_read_address <= 0 when slice0window_read_address = 21 else (slice0window_read_address + 1) mod 32;
         slice0window_write_address <= slice0window_read_address;
       end if;
-      slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(12 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(25 downto 13)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_1(12 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_3_choice := to_integer(slice0window_leaving_1(25 downto 13)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_4_choice := to_integer(slice0window_leaving_2(12 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_5_choice := to_integer(slice0window_leaving_2(25 downto 13)) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(12 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(25 downto 13));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_1(12 downto 0));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_3_choice := to_integer(slice0window_leaving_1(25 downto 13));
+      else
+        slice0window_change_0_3_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_4_choice := to_integer(slice0window_leaving_2(12 downto 0));
+      else
+        slice0window_change_0_4_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_5_choice := to_integer(slice0window_leaving_2(25 downto 13));
+      else
+        slice0window_change_0_5_choice := 0;
+      end if;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
       slice0window_entering_0_1 <= slice0cost_column_0_1;
       slice0window_entering_0_2 <= slice0cost_column_0_2;
@@ -1008,18 +1026,36 @@ begin
         slice1window_read_address <= 0 when slice1window_read_address = 21 else (slice1window_read_address + 1) mod 32;
         slice1window_write_address <= slice1window_read_address;
       end if;
-      slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(12 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(25 downto 13)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_1(12 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(25 downto 13)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_4_choice := to_integer(slice1window_leaving_2(12 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_5_choice := to_integer(slice1window_leaving_2(25 downto 13)) when
-        slice0window_change_tag_leaves_window else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(12 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(25 downto 13));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_1(12 downto 0));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(25 downto 13));
+      else
+        slice1window_change_0_3_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_4_choice := to_integer(slice1window_leaving_2(12 downto 0));
+      else
+        slice1window_change_0_4_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_5_choice := to_integer(slice1window_leaving_2(25 downto 13));
+      else
+        slice1window_change_0_5_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;

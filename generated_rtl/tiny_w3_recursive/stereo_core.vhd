@@ -549,12 +549,21 @@ begin
         slice0window_read_address <= 0 when slice0window_read_address = 3 else (slice0window_read_address + 1) mod 4;
         slice0window_write_address <= slice0window_read_address;
       end if;
-      slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(19 downto 10)) when
-        slice0window_entering_tag_leaves_window else 0;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(29 downto 20)) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(19 downto 10));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(29 downto 20));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
       slice0window_entering_0_1 <= slice0cost_column_0_1;
       slice0window_entering_0_2 <= slice0cost_column_0_2;
@@ -681,12 +690,21 @@ begin
         slice1window_read_address <= 0 when slice1window_read_address = 3 else (slice1window_read_address + 1) mod 4;
         slice1window_write_address <= slice1window_read_address;
       end if;
-      slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(19 downto 10)) when
-        slice0window_change_tag_leaves_window else 0;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(29 downto 20)) when
-        slice0window_change_tag_leaves_window else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(19 downto 10));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(29 downto 20));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;
@@ -771,10 +789,16 @@ begin
         slice2window_read_address <= 0 when slice2window_read_address = 3 else (slice2window_read_address + 1) mod 4;
         slice2window_write_address <= slice2window_read_address;
       end if;
-      slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0)) when
-        slice1window_change_tag_leaves_window else 0;
-      slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(19 downto 10)) when
-        slice1window_change_tag_leaves_window else 0;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0));
+      else
+        slice2window_change_0_0_choice := 0;
+      end if;
+      if slice1window_change_tag_leaves_window then
+        slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(19 downto 10));
+      else
+        slice2window_change_0_1_choice := 0;
+      end if;
       slice2window_entering_0_0 <= slice2cost_column_0_0;
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;

@@ -580,43 +580,61 @@ begin
       slice0cost_column_0_0_difference := slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_column_0_0_difference_2 := slice0shift_search_2_0 - slice0shift_reference_2;
       slice0cost_column_0_0_is_less := slice0cost_column_0_0_difference_2 < 0;
-      slice0cost_column_0_0_choice := (slice0shift_reference_2 - slice0shift_search_2_0) mod 256 when
-        slice0cost_column_0_0_is_less else positive_part(slice0cost_column_0_0_difference_2);
+      if slice0cost_column_0_0_is_less then
+        slice0cost_column_0_0_choice := (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
+      else
+        slice0cost_column_0_0_choice := positive_part(slice0cost_column_0_0_difference_2);
+      end if;
       slice0cost_column_0_0_difference_3 := slice0shift_search_1_0 - slice0shift_reference_1;
       slice0cost_column_0_0_is_less_2 := slice0cost_column_0_0_difference_3 < 0;
       slice0cost_column_0_0_difference_4 := slice0shift_search_3_0 - slice0shift_reference_3;
       slice0cost_column_0_0_is_less_3 := slice0cost_column_0_0_difference_4 < 0;
       slice0cost_column_0_0_difference_5 := slice0shift_search_4_0 - slice0shift_reference_4;
-      slice0cost_column_0_0_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_0) mod 256 when
-        slice0cost_column_0_0_difference_5 < 0 else positive_part(slice0cost_column_0_0_difference_5);
+      if slice0cost_column_0_0_difference_5 < 0 then
+        slice0cost_column_0_0_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
+      else
+        slice0cost_column_0_0_choice_2 := positive_part(slice0cost_column_0_0_difference_5);
+      end if;
       slice0cost_column_0_0_folded_value := folded(slice0cost_column_0_0_difference_4);
       slice0cost_column_0_0_folded_value_2 := folded(slice0cost_column_0_0_difference_3);
       slice0cost_column_0_1_difference := slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_column_0_1_difference_2 := slice0shift_search_2_1 - slice0shift_reference_2;
       slice0cost_column_0_1_is_less := slice0cost_column_0_1_difference_2 < 0;
-      slice0cost_column_0_1_choice := (slice0shift_reference_2 - slice0shift_search_2_1) mod 256 when
-        slice0cost_column_0_1_is_less else positive_part(slice0cost_column_0_1_difference_2);
+      if slice0cost_column_0_1_is_less then
+        slice0cost_column_0_1_choice := (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
+      else
+        slice0cost_column_0_1_choice := positive_part(slice0cost_column_0_1_difference_2);
+      end if;
       slice0cost_column_0_1_difference_3 := slice0shift_search_1_1 - slice0shift_reference_1;
       slice0cost_column_0_1_is_less_2 := slice0cost_column_0_1_difference_3 < 0;
       slice0cost_column_0_1_difference_4 := slice0shift_search_3_1 - slice0shift_reference_3;
       slice0cost_column_0_1_is_less_3 := slice0cost_column_0_1_difference_4 < 0;
       slice0cost_column_0_1_difference_5 := slice0shift_search_4_1 - slice0shift_reference_4;
-      slice0cost_column_0_1_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_1) mod 256 when
-        slice0cost_column_0_1_difference_5 < 0 else positive_part(slice0cost_column_0_1_difference_5);
+      if slice0cost_column_0_1_difference_5 < 0 then
+        slice0cost_column_0_1_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
+      else
+        slice0cost_column_0_1_choice_2 := positive_part(slice0cost_column_0_1_difference_5);
+      end if;
       slice0cost_column_0_1_folded_value := folded(slice0cost_column_0_1_difference_4);
       slice0cost_column_0_1_folded_value_2 := folded(slice0cost_column_0_1_difference_3);
       slice0cost_column_0_2_difference := slice0shift_search_0_2 - slice0shift_reference_0;
       slice0cost_column_0_2_difference_2 := slice0shift_search_2_2 - slice0shift_reference_2;
       slice0cost_column_0_2_is_less := slice0cost_column_0_2_difference_2 < 0;
-      slice0cost_column_0_2_choice := (slice0shift_reference_2 - slice0shift_search_2_2) mod 256 when
-        slice0cost_column_0_2_is_less else positive_part(slice0cost_column_0_2_difference_2);
+      if slice0cost_column_0_2_is_less then
+        slice0cost_column_0_2_choice := (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
+      else
+        slice0cost_column_0_2_choice := positive_part(slice0cost_column_0_2_difference_2);
+      end if;
       slice0cost_column_0_2_difference_3 := slice0shift_search_1_2 - slice0shift_reference_1;
       slice0cost_column_0_2_is_less_2 := slice0cost_column_0_2_difference_3 < 0;
       slice0cost_column_0_2_difference_4 := slice0shift_search_3_2 - slice0shift_reference_3;
       slice0cost_column_0_2_is_less_3 := slice0cost_column_0_2_difference_4 < 0;
       slice0cost_column_0_2_difference_5 := slice0shift_search_4_2 - slice0shift_reference_4;
-      slice0cost_column_0_2_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_2) mod 256 when
-        slice0cost_column_0_2_difference_5 < 0 else positive_part(slice0cost_column_0_2_difference_5);
+      if slice0cost_column_0_2_difference_5 < 0 then
+        slice0cost_column_0_2_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
+      else
+        slice0cost_column_0_2_choice_2 := positive_part(slice0cost_column_0_2_difference_5);
+      end if;
       slice0cost_column_0_2_folded_value := folded(slice0cost_column_0_2_difference_4);
       slice0cost_column_0_2_folded_value_2 := folded(slice0cost_column_0_2_difference_3);
       slice0cost_column_1_0_difference := slice0shift_search_5_0 - slice0shift_reference_5;
@@ -629,14 +647,23 @@ begin
       slice0cost_column_1_2_folded_value := folded(slice0cost_column_1_2_difference);
       slice0cost_column_1_2_is_less := slice0cost_column_1_2_difference < 0;
       slice0cost_column_2_0_difference := slice0shift_search_6_0 - slice0shift_reference_6;
-      slice0cost_column_2_0_choice := (slice0shift_reference_6 - slice0shift_search_6_0) mod 256 when
-        slice0cost_column_2_0_difference < 0 else positive_part(slice0cost_column_2_0_difference);
+      if slice0cost_column_2_0_difference < 0 then
+        slice0cost_column_2_0_choice := (slice0shift_reference_6 - slice0shift_search_6_0) mod 256;
+      else
+        slice0cost_column_2_0_choice := positive_part(slice0cost_column_2_0_difference);
+      end if;
       slice0cost_column_2_1_difference := slice0shift_search_6_1 - slice0shift_reference_6;
-      slice0cost_column_2_1_choice := (slice0shift_reference_6 - slice0shift_search_6_1) mod 256 when
-        slice0cost_column_2_1_difference < 0 else positive_part(slice0cost_column_2_1_difference);
+      if slice0cost_column_2_1_difference < 0 then
+        slice0cost_column_2_1_choice := (slice0shift_reference_6 - slice0shift_search_6_1) mod 256;
+      else
+        slice0cost_column_2_1_choice := positive_part(slice0cost_column_2_1_difference);
+      end if;
       slice0cost_column_2_2_difference := slice0shift_search_6_2 - slice0shift_reference_6;
-      slice0cost_column_2_2_choice := (slice0shift_reference_6 - slice0shift_search_6_2) mod 256 when
-        slice0cost_column_2_2_difference < 0 else positive_part(slice0cost_column_2_2_difference);
+      if slice0cost_column_2_2_difference < 0 then
+        slice0cost_column_2_2_choice := (slice0shift_reference_6 - slice0shift_search_6_2) mod 256;
+      else
+        slice0cost_column_2_2_choice := positive_part(slice0cost_column_2_2_difference);
+      end if;
       slice0cost_column_3_0_difference := slice0shift_search_7_0 - slice0shift_reference_7;
       slice0cost_column_3_1_difference := slice0shift_search_7_1 - slice0shift_reference_7;
       slice0cost_column_3_2_difference := slice0shift_search_7_2 - slice0shift_reference_7;
@@ -872,43 +899,61 @@ begin
       slice1cost_column_0_0_difference := slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_column_0_0_difference_2 := slice1shift_search_2_0 - slice1shift_reference_2;
       slice1cost_column_0_0_is_less := slice1cost_column_0_0_difference_2 < 0;
-      slice1cost_column_0_0_choice := (slice1shift_reference_2 - slice1shift_search_2_0) mod 256 when
-        slice1cost_column_0_0_is_less else positive_part(slice1cost_column_0_0_difference_2);
+      if slice1cost_column_0_0_is_less then
+        slice1cost_column_0_0_choice := (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
+      else
+        slice1cost_column_0_0_choice := positive_part(slice1cost_column_0_0_difference_2);
+      end if;
       slice1cost_column_0_0_difference_3 := slice1shift_search_1_0 - slice1shift_reference_1;
       slice1cost_column_0_0_is_less_2 := slice1cost_column_0_0_difference_3 < 0;
       slice1cost_column_0_0_difference_4 := slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_column_0_0_is_less_3 := slice1cost_column_0_0_difference_4 < 0;
       slice1cost_column_0_0_difference_5 := slice1shift_search_4_0 - slice1shift_reference_4;
-      slice1cost_column_0_0_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_0) mod 256 when
-        slice1cost_column_0_0_difference_5 < 0 else positive_part(slice1cost_column_0_0_difference_5);
+      if slice1cost_column_0_0_difference_5 < 0 then
+        slice1cost_column_0_0_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
+      else
+        slice1cost_column_0_0_choice_2 := positive_part(slice1cost_column_0_0_difference_5);
+      end if;
       slice1cost_column_0_0_folded_value := folded(slice1cost_column_0_0_difference_4);
       slice1cost_column_0_0_folded_value_2 := folded(slice1cost_column_0_0_difference_3);
       slice1cost_column_0_1_difference := slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_column_0_1_difference_2 := slice1shift_search_2_1 - slice1shift_reference_2;
       slice1cost_column_0_1_is_less := slice1cost_column_0_1_difference_2 < 0;
-      slice1cost_column_0_1_choice := (slice1shift_reference_2 - slice1shift_search_2_1) mod 256 when
-        slice1cost_column_0_1_is_less else positive_part(slice1cost_column_0_1_difference_2);
+      if slice1cost_column_0_1_is_less then
+        slice1cost_column_0_1_choice := (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
+      else
+        slice1cost_column_0_1_choice := positive_part(slice1cost_column_0_1_difference_2);
+      end if;
       slice1cost_column_0_1_difference_3 := slice1shift_search_1_1 - slice1shift_reference_1;
       slice1cost_column_0_1_is_less_2 := slice1cost_column_0_1_difference_3 < 0;
       slice1cost_column_0_1_difference_4 := slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_column_0_1_is_less_3 := slice1cost_column_0_1_difference_4 < 0;
       slice1cost_column_0_1_difference_5 := slice1shift_search_4_1 - slice1shift_reference_4;
-      slice1cost_column_0_1_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_1) mod 256 when
-        slice1cost_column_0_1_difference_5 < 0 else positive_part(slice1cost_column_0_1_difference_5);
+      if slice1cost_column_0_1_difference_5 < 0 then
+        slice1cost_column_0_1_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
+      else
+        slice1cost_column_0_1_choice_2 := positive_part(slice1cost_column_0_1_difference_5);
+      end if;
       slice1cost_column_0_1_folded_value := folded(slice1cost_column_0_1_difference_4);
       slice1cost_column_0_1_folded_value_2 := folded(slice1cost_column_0_1_difference_3);
       slice1cost_column_0_2_difference := slice1shift_search_0_2 - slice1shift_reference_0;
       slice1cost_column_0_2_difference_2 := slice1shift_search_2_2 - slice1shift_reference_2;
       slice1cost_column_0_2_is_less := slice1cost_column_0_2_difference_2 < 0;
-      slice1cost_column_0_2_choice := (slice1shift_reference_2 - slice1shift_search_2_2) mod 256 when
-        slice1cost_column_0_2_is_less else positive_part(slice1cost_column_0_2_difference_2);
+      if slice1cost_column_0_2_is_less then
+        slice1cost_column_0_2_choice := (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
+      else
+        slice1cost_column_0_2_choice := positive_part(slice1cost_column_0_2_difference_2);
+      end if;
       slice1cost_column_0_2_difference_3 := slice1shift_search_1_2 - slice1shift_reference_1;
       slice1cost_column_0_2_is_less_2 := slice1cost_column_0_2_difference_3 < 0;
       slice1cost_column_0_2_difference_4 := slice1shift_search_3_2 - slice1shift_reference_3;
       slice1cost_column_0_2_is_less_3 := slice1cost_column_0_2_difference_4 < 0;
       slice1cost_column_0_2_difference_5 := slice1shift_search_4_2 - slice1shift_reference_4;
-      slice1cost_column_0_2_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_2) mod 256 when
-        slice1cost_column_0_2_difference_5 < 0 else positive_part(slice1cost_column_0_2_difference_5);
+      if slice1cost_column_0_2_difference_5 < 0 then
+        slice1cost_column_0_2_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
+      else
+        slice1cost_column_0_2_choice_2 := positive_part(slice1cost_column_0_2_difference_5);
+      end if;
       slice1cost_column_0_2_folded_value := folded(slice1cost_column_0_2_difference_4);
       slice1cost_column_0_2_folded_value_2 := folded(slice1cost_column_0_2_difference_3);
       slice1cost_column_1_0_difference := slice1shift_search_5_0 - slice1shift_reference_5;
@@ -921,14 +966,23 @@ begin
       slice1cost_column_1_2_folded_value := folded(slice1cost_column_1_2_difference);
       slice1cost_column_1_2_is_less := slice1cost_column_1_2_difference < 0;
       slice1cost_column_2_0_difference := slice1shift_search_6_0 - slice1shift_reference_6;
-      slice1cost_column_2_0_choice := (slice1shift_reference_6 - slice1shift_search_6_0) mod 256 when
-        slice1cost_column_2_0_difference < 0 else positive_part(slice1cost_column_2_0_difference);
+      if slice1cost_column_2_0_difference < 0 then
+        slice1cost_column_2_0_choice := (slice1shift_reference_6 - slice1shift_search_6_0) mod 256;
+      else
+        slice1cost_column_2_0_choice := positive_part(slice1cost_column_2_0_difference);
+      end if;
       slice1cost_column_2_1_difference := slice1shift_search_6_1 - slice1shift_reference_6;
-      slice1cost_column_2_1_choice := (slice1shift_reference_6 - slice1shift_search_6_1) mod 256 when
-        slice1cost_column_2_1_difference < 0 else positive_part(slice1cost_column_2_1_difference);
+      if slice1cost_column_2_1_difference < 0 then
+        slice1cost_column_2_1_choice := (slice1shift_reference_6 - slice1shift_search_6_1) mod 256;
+      else
+        slice1cost_column_2_1_choice := positive_part(slice1cost_column_2_1_difference);
+      end if;
       slice1cost_column_2_2_difference := slice1shift_search_6_2 - slice1shift_reference_6;
-      slice1cost_column_2_2_choice := (slice1shift_reference_6 - slice1shift_search_6_2) mod 256 when
-        slice1cost_column_2_2_difference < 0 else positive_part(slice1cost_column_2_2_difference);
+      if slice1cost_column_2_2_difference < 0 then
+        slice1cost_column_2_2_choice := (slice1shift_reference_6 - slice1shift_search_6_2) mod 256;
+      else
+        slice1cost_column_2_2_choice := positive_part(slice1cost_column_2_2_difference);
+      end if;
       slice1cost_column_3_0_difference := slice1shift_search_7_0 - slice1shift_reference_7;
       slice1cost_column_3_1_difference := slice1shift_search_7_1 - slice1shift_reference_7;
       slice1cost_column_3_2_difference := slice1shift_search_7_2 - slice1shift_reference_7;
@@ -1141,13 +1195,19 @@ begin
       slice2cost_column_0_0_difference := slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_column_0_0_difference_2 := slice2shift_search_2_0 - slice2shift_reference_2;
       slice2cost_column_0_0_is_less := slice2cost_column_0_0_difference_2 < 0;
-      slice2cost_column_0_0_choice := (slice2shift_reference_2 - slice2shift_search_2_0) mod 256 when
-        slice2cost_column_0_0_is_less else positive_part(slice2cost_column_0_0_difference_2);
+      if slice2cost_column_0_0_is_less then
+        slice2cost_column_0_0_choice := (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
+      else
+        slice2cost_column_0_0_choice := positive_part(slice2cost_column_0_0_difference_2);
+      end if;
       slice2cost_column_0_0_difference_3 := slice2shift_search_3_0 - slice2shift_reference_3;
       slice2cost_column_0_0_is_less_2 := slice2cost_column_0_0_difference_3 < 0;
       slice2cost_column_0_0_difference_4 := slice2shift_search_4_0 - slice2shift_reference_4;
-      slice2cost_column_0_0_choice_2 := (slice2shift_reference_4 - slice2shift_search_4_0) mod 256 when
-        slice2cost_column_0_0_difference_4 < 0 else positive_part(slice2cost_column_0_0_difference_4);
+      if slice2cost_column_0_0_difference_4 < 0 then
+        slice2cost_column_0_0_choice_2 := (slice2shift_reference_4 - slice2shift_search_4_0) mod 256;
+      else
+        slice2cost_column_0_0_choice_2 := positive_part(slice2cost_column_0_0_difference_4);
+      end if;
       slice2cost_column_0_0_folded_value := folded(slice2cost_column_0_0_difference_3);
       slice2cost_column_0_0_difference_5 := slice2shift_search_1_0 - slice2shift_reference_1;
       slice2cost_column_0_0_is_less_3 := slice2cost_column_0_0_difference_5 < 0;
@@ -1155,13 +1215,19 @@ begin
       slice2cost_column_0_1_difference := slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_column_0_1_difference_2 := slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_column_0_1_is_less := slice2cost_column_0_1_difference_2 < 0;
-      slice2cost_column_0_1_choice := (slice2shift_reference_2 - slice2shift_search_2_1) mod 256 when
-        slice2cost_column_0_1_is_less else positive_part(slice2cost_column_0_1_difference_2);
+      if slice2cost_column_0_1_is_less then
+        slice2cost_column_0_1_choice := (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
+      else
+        slice2cost_column_0_1_choice := positive_part(slice2cost_column_0_1_difference_2);
+      end if;
       slice2cost_column_0_1_difference_3 := slice2shift_search_3_1 - slice2shift_reference_3;
       slice2cost_column_0_1_is_less_2 := slice2cost_column_0_1_difference_3 < 0;
       slice2cost_column_0_1_difference_4 := slice2shift_search_4_1 - slice2shift_reference_4;
-      slice2cost_column_0_1_choice_2 := (slice2shift_reference_4 - slice2shift_search_4_1) mod 256 when
-        slice2cost_column_0_1_difference_4 < 0 else positive_part(slice2cost_column_0_1_difference_4);
+      if slice2cost_column_0_1_difference_4 < 0 then
+        slice2cost_column_0_1_choice_2 := (slice2shift_reference_4 - slice2shift_search_4_1) mod 256;
+      else
+        slice2cost_column_0_1_choice_2 := positive_part(slice2cost_column_0_1_difference_4);
+      end if;
       slice2cost_column_0_1_folded_value := folded(slice2cost_column_0_1_difference_3);
       slice2cost_column_0_1_difference_5 := slice2shift_search_1_1 - slice2shift_reference_1;
       slice2cost_column_0_1_is_less_3 := slice2cost_column_0_1_difference_5 < 0;
@@ -1173,11 +1239,17 @@ begin
       slice2cost_column_1_1_folded_value := folded(slice2cost_column_1_1_difference);
       slice2cost_column_1_1_is_less := slice2cost_column_1_1_difference < 0;
       slice2cost_column_2_0_difference := slice2shift_search_6_0 - slice2shift_reference_6;
-      slice2cost_column_2_0_choice := (slice2shift_reference_6 - slice2shift_search_6_0) mod 256 when
-        slice2cost_column_2_0_difference < 0 else positive_part(slice2cost_column_2_0_difference);
+      if slice2cost_column_2_0_difference < 0 then
+        slice2cost_column_2_0_choice := (slice2shift_reference_6 - slice2shift_search_6_0) mod 256;
+      else
+        slice2cost_column_2_0_choice := positive_part(slice2cost_column_2_0_difference);
+      end if;
       slice2cost_column_2_1_difference := slice2shift_search_6_1 - slice2shift_reference_6;
-      slice2cost_column_2_1_choice := (slice2shift_reference_6 - slice2shift_search_6_1) mod 256 when
-        slice2cost_column_2_1_difference < 0 else positive_part(slice2cost_column_2_1_difference);
+      if slice2cost_column_2_1_difference < 0 then
+        slice2cost_column_2_1_choice := (slice2shift_reference_6 - slice2shift_search_6_1) mod 256;
+      else
+        slice2cost_column_2_1_choice := positive_part(slice2cost_column_2_1_difference);
+      end if;
       slice2cost_column_3_0_difference := slice2shift_search_7_0 - slice2shift_reference_7;
       slice2cost_column_3_1_difference := slice2shift_search_7_1 - slice2shift_reference_7;
       slice2cost_column_0_0 <= 0 when slice1cost_difference_tag_border_column else

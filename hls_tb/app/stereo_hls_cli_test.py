@@ -83,7 +83,7 @@ def test_vectors_first_lines_and_counts(tmp_path, pair, config, pixels):
     stimulus, expected = vectors(tmp_path, pair, config=config)
     latency = json.loads(succeed("configurations", "--json"))[config]["latency_clocks"]
     groups = HEIGHT // pixels
-    clocks, outputs = WIDTH * groups + WIDTH + 1 + latency + 4, 24 * groups
+    clocks, outputs = WIDTH * groups + WIDTH + latency + 4, 24 * groups
     assert stimulus[0] == f"stereo-hls stimulus 1 config={config} pixels={pixels} clocks={clocks}"
     assert expected[0] == f"stereo-hls expected 2 config={config} pixels={pixels} disparity_bits=8 outputs={outputs} latency={latency}"
     assert len(stimulus) == clocks + 1 and len(expected) == outputs + 1
@@ -149,22 +149,22 @@ def trace_columns(tmp_path, config):
 @pytest.mark.parametrize("config, pixels", [("tiny", 1), ("tiny_p2", 2), ("tiny_p4", 4)])
 def test_trace_names_what_the_registers_show(tmp_path, config, pixels):
     trace = trace_columns(tmp_path, config)
-    lanes = [trace[f"raster_left_{p}"] for p in range(pixels)]
+    lanes = [trace[f"raster_search_{p}"] for p in range(pixels)]
     words = [sum(value << 8 * p for p, value in enumerate(column)) for column in zip(*lanes)]
     assert words[1:] == list(trace["in_left_pixel"][:-1])  # a register shows its input one clock later
-    assert trace["raster_right"][1:] == trace["in_right_pixel"][:-1]
-    assert trace["slice0shift_right_1"][1:] == trace["rows_right_1"][:-1]
+    assert trace["raster_reference_words_0"][1:] == trace["in_right_pixel"][:-1]
+    assert trace["slice0shift_reference_1"][1:] == trace["rows_reference_1"][:-1]
     difference = trace["slice0cost_difference_1_0"]
-    left, right = trace["slice0shift_left_1_0"], trace["slice0shift_right_1"]
+    left, right = trace["slice0shift_search_1_0"], trace["slice0shift_reference_1"]
     assert list(difference[1:]) == [a - b for a, b in zip(left, right)][:-1]
     assert min(difference) < 0 < max(difference)
     # 8 disparities in slices of 3, 3 and 2; two levels of winners.
-    for name in ("slice2shift_left_out_0", "slice2winner2_index_0_0", "slice2best_disparity_0",
-                 "slice0window_partial_0_1_2", "slice0window_centre_0_valid", "slice0best_tag_end_of_line",
+    for name in ("slice2shift_search_out_0", "slice2winner2_index_0_0", "slice2best_index_0_0",
+                 "slice0window_partial_0_1_2", "slice0window_centre_0_output_column", "slice0best_tag_end_of_line",
                  "rows_ready_tag_border_column"):
         assert name in trace
     assert not any(name.startswith("slice3") for name in trace)
-    assert f"slice2best_cost_{pixels - 1}" in trace and f"slice2best_cost_{pixels}" not in trace
+    assert f"slice2best_cost_{pixels - 1}_0" in trace and f"slice2best_cost_{pixels}_0" not in trace
 
 
 def test_unknown_configuration_lists_the_known(tmp_path, match):

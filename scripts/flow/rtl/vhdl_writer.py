@@ -251,10 +251,26 @@ class VhdlWriter:
         name, number = base, 2
         while name in self.variables:
             name, number = f"{base}_{number}", number + 1
-        text = self._choice_text(node, node)
+        lines = self._conditional(name, node) or _folded(f"      {name} := {self._choice_text(node, node)};")
         self.variables[name] = type_of(node.low, node.high)
         self.names[id(node)] = (name, is_wide(node))
-        return _folded(f"      {name} := {text};")
+        return lines
+
+    def _conditional(self, name, target):
+        """A choice of computed numbers as an if statement, since GHDL's synthesis breaks off at a conditional assignment of
+        such a number to a variable; None for any other choice."""
+        choices, node = [], target
+        while node.op == "mux" and id(node) not in self.names:
+            choices.append((node.args[0], node.args[1]))
+            node = node.args[2]
+        if target.is_bit or all(id(value) in self.names or not value.args for _, value in choices):
+            return None
+        lines, word = [], "if"
+        for condition, value in choices:
+            lines += _folded(f"      {word} {without_outer_parentheses(self.text.condition(condition))} then")
+            lines += _folded(f"        {name} := {self._plain_text(value, target)};")
+            word = "elsif"
+        return [*lines, "      else", *_folded(f"        {name} := {self._plain_text(node, target)};"), "      end if;"]
 
     def _choice_text(self, node, target):
         """The right side of an assignment: multiplexers become `a when c else b`."""
