@@ -58,10 +58,12 @@ def vhdl_files(directory):
     """The VHDL of one folder in compile order, each checked against its digest."""
     directory = Path(directory)
     paths = []
-    for name, expected in read(directory)["files"].items():
+    entry = read(directory)
+    config = entry["configuration"]
+    for name, expected in entry["files"].items():
         path = directory / name
-        if not path.is_file() and not keeps_vhdl(directory.name):
-            raise FlowError(f"the repository does not keep the VHDL of {directory.name}; make it with scripts/synthesize.py --config {directory.name}, which needs Bambu")
+        if not path.is_file() and not keeps_vhdl(config):
+            raise FlowError(f"the repository does not keep the VHDL of {config}; make it with scripts/synthesize.py --config {config}, which needs Bambu")
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
         if digest(path) != expected:
