@@ -25,15 +25,15 @@ def test_configurations_as_json():
     tiny = table["tiny"]
     assert (tiny["width_px"], tiny["height_px"], tiny["disparities"]) == (WIDTH, HEIGHT, DISPARITIES)
     keys = {"width_px", "height_px", "disparities", "window_px", "pixels_per_clock", "slice_disparities", "cost_clocks",
-            "winner_group", "disparity_bits", "output_width_px", "output_height_px", "latency_clocks", "memory_bits"}
+            "winner_group", "disparity_bits", "output_width_px", "output_height_px", "latency_clocks", "flush_groups", "gap_groups"}
     for values in table.values():
         assert keys <= values.keys()
     for name in ("tiny", "ambrosch2007"):
         assert table[name]["output_width_px"] == table[name]["width_px"] - table[name]["disparities"]
     assert [table[name]["pixels_per_clock"] for name in ("tiny", "tiny_p2", "tiny_p4")] == [1, 2, 4]
-    # The right image's delay, and 2 stored rows of both images; 5 of them with 4 rows at once.
-    assert tiny["memory_bits"] == DISPARITIES * 8 + 2 * WIDTH * 8 * 2
-    assert table["tiny_p4"]["memory_bits"] == DISPARITIES * 8 * 4 + 2 * WIDTH * 8 * 5
+    # A row below the image, and of the window that is one column to the right of its centre.
+    assert tiny["flush_groups"] == WIDTH and tiny["gap_groups"] == 0
+    assert table["tiny_w8_recursive"]["gap_groups"] == 3 * WIDTH, "the rows below the centre of an 8x8 window"
 
 
 def test_configurations_as_text():
