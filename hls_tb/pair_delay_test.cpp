@@ -44,7 +44,7 @@ using Offsets = ::testing::Types<
     Exactly<StereoConfig{
         .width_px = 14, .height_px = 4, .disparities = 5, .min_disparity = -8, .reference = Reference::left}>,
     Exactly<StereoConfig{.width_px = 12,
-                         .height_px = 4,
+                         .height_px = 8,
                          .disparities = 5,
                          .pixels_per_clock = 2,
                          .min_disparity = 1,

@@ -103,8 +103,12 @@ TEST_P(StimulusTest, RowsAreTheTopOfAFrame) {
    const StereoConfig& C = config();
    constexpr int kHeight = 8, kFirst = 3;
    const ImagePair pair = pair_for(C);
-   const Stimulus made = stimulus({.rows = RowRange{kFirst, kFirst + kHeight}, .stall_percent = 30});
    const int records = C.width_px * kHeight / C.pixels_per_clock;
+   if (C.groups_to_first_output() > records) {  // many rows at once wait for as many rows each
+      EXPECT_THROW(stimulus({.rows = RowRange{kFirst, kFirst + kHeight}}), std::invalid_argument);
+      return;
+   }
+   const Stimulus made = stimulus({.rows = RowRange{kFirst, kFirst + kHeight}, .stall_percent = 30});
    EXPECT_EQ(valid_clocks(made), records);
    EXPECT_FALSE(
        std::ranges::any_of(made.clocks.end() - core().latency_clocks - 4, made.clocks.end(), &StereoInput::valid));
