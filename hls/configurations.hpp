@@ -52,8 +52,8 @@ inline constexpr StereoConfig han_640{
     .width_px = 640, .height_px = 480, .disparities = 128, .window_px = 9, .aggregation = Aggregation::recursive};
 /// DeepSea (Woodfill et al.): census; its windows are 7x7 here.
 inline constexpr StereoConfig deepsea_512{
-    .width_px = 512, .height_px = 480, .disparities = 52, .window_px = 7, .cost = Cost::census, .census_width_px =
-    7, .census_height_px = 7, .aggregation = Aggregation::recursive, .slice_disparities = 13};
+    .width_px = 512, .height_px = 480, .disparities = 52, .window_px = 7, .cost = Cost::census,
+    .census_width_px = 7, .census_height_px = 7, .aggregation = Aggregation::recursive, .slice_disparities = 13};
 /// OpenCV's StereoBM with block 15 and 64 disparities, at the size of the Middlebury pair Teddy.
 inline constexpr StereoConfig opencv_bm{
     .width_px = 450, .height_px = 375, .disparities = 64, .window_px = 15, .reference = Reference::left,
@@ -62,83 +62,79 @@ inline constexpr StereoConfig opencv_bm{
 
 /// What one option costs: each beside `study`, which has none (docs/features.md).
 inline constexpr StereoConfig study{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .slice_disparities = 8};
 inline constexpr StereoConfig study_p2{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .pixels_per_clock = 2,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .pixels_per_clock = 2,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_p4{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .pixels_per_clock = 4,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .pixels_per_clock = 4,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_w3{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 3, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 3, .slice_disparities = 8};
 inline constexpr StereoConfig study_w7{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 7, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 7, .slice_disparities = 8};
 inline constexpr StereoConfig study_w9{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 9, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 9, .slice_disparities = 8};
 inline constexpr StereoConfig study_recursive{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .aggregation = Aggregation::recursive,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .aggregation = Aggregation::recursive,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_w3_recursive{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 3, .aggregation = Aggregation::recursive,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 3, .aggregation = Aggregation::recursive,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_w7_recursive{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 7, .aggregation = Aggregation::recursive,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 7, .aggregation = Aggregation::recursive,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_w9_recursive{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 9, .aggregation = Aggregation::recursive,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 9, .aggregation = Aggregation::recursive,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_w15_recursive{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 15, .aggregation = Aggregation::recursive,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 15, .aggregation = Aggregation::recursive,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_w21_recursive{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 21, .aggregation = Aggregation::recursive,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 21, .aggregation = Aggregation::recursive,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_left{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .reference = Reference::left,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .reference = Reference::left,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_min8{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .min_disparity = 8, .slice_disparities =
-    16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .min_disparity = 8, .slice_disparities = 8};
 inline constexpr StereoConfig study_ssd{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .cost = Cost::ssd, .slice_disparities =
-    16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .cost = Cost::ssd, .slice_disparities = 8};
 inline constexpr StereoConfig study_census{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .cost = Cost::census, .slice_disparities
-    = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .cost = Cost::census, .slice_disparities = 8};
 inline constexpr StereoConfig study_left_right{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .left_right_threshold = 1,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .left_right_threshold = 1,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_uniqueness{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .uniqueness_percent = 15,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .uniqueness_percent = 15,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_xsobel{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .prefilter = Prefilter::xsobel,
-    .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .prefilter = Prefilter::xsobel,
+    .slice_disparities = 8};
 inline constexpr StereoConfig study_texture{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .prefilter = Prefilter::xsobel,
-    .texture_threshold = 60, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .prefilter = Prefilter::xsobel,
+    .texture_threshold = 60, .slice_disparities = 8};
 inline constexpr StereoConfig study_subpixel{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .subpixel = true, .slice_disparities =
-    16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .subpixel = true, .slice_disparities = 8};
 inline constexpr StereoConfig study_median{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .median = true, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .median = true, .slice_disparities = 8};
 inline constexpr StereoConfig study_all{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .prefilter = Prefilter::xsobel,
-    .left_right_threshold = 1, .uniqueness_percent = 15, .texture_threshold = 60, .subpixel = true, .median =
-    true, .slice_disparities = 16};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .prefilter = Prefilter::xsobel,
+    .left_right_threshold = 1, .uniqueness_percent = 15, .texture_threshold = 60, .subpixel = true,
+    .median = true, .slice_disparities = 8};
 inline constexpr StereoConfig study_cost2{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16, .cost_clocks =
-    2};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .slice_disparities = 8,
+    .cost_clocks = 2};
 inline constexpr StereoConfig study_cost1{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16, .cost_clocks =
-    1};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .slice_disparities = 8,
+    .cost_clocks = 1};
 inline constexpr StereoConfig study_group4{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 16, .winner_group =
-    4};
-inline constexpr StereoConfig study_slice8{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 8};
-inline constexpr StereoConfig study_slice32{
-    .width_px = 160, .height_px = 120, .disparities = 32, .window_px = 5, .slice_disparities = 32};
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .slice_disparities = 8,
+    .winner_group = 4};
+inline constexpr StereoConfig study_slice4{
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .slice_disparities = 4};
+inline constexpr StereoConfig study_slice16{
+    .width_px = 96, .height_px = 64, .disparities = 16, .window_px = 5, .slice_disparities = 16};
 // clang-format on
 
 // One option after the other, alone and together, at a size that a test can afford.
@@ -150,25 +146,25 @@ inline constexpr StereoConfig tiny_w4{
 inline constexpr StereoConfig tiny_w5{
     .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 5, .slice_disparities = 3, .cost_clocks = 2};
 inline constexpr StereoConfig tiny_w6_p2{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 6, .pixels_per_clock = 2, .slice_disparities =
-    3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 6, .pixels_per_clock = 2,
+    .slice_disparities = 3};
 inline constexpr StereoConfig tiny_w7{
     .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 7, .slice_disparities = 3, .winner_group = 3};
 inline constexpr StereoConfig tiny_w5_p4{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 5, .pixels_per_clock = 4, .slice_disparities =
-    3, .cost_clocks = 1};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 5, .pixels_per_clock = 4,
+    .slice_disparities = 3, .cost_clocks = 1};
 inline constexpr StereoConfig tiny_w3_recursive{
-    .width_px = 32, .height_px = 12, .disparities = 8, .aggregation = Aggregation::recursive, .slice_disparities =
-    3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .aggregation = Aggregation::recursive,
+    .slice_disparities = 3};
 inline constexpr StereoConfig tiny_w8_recursive{
     .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 8, .aggregation = Aggregation::recursive,
     .slice_disparities = 3};
 inline constexpr StereoConfig tiny_w9_recursive_p2{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 9, .pixels_per_clock = 2, .aggregation =
-    Aggregation::recursive, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 9, .pixels_per_clock = 2,
+    .aggregation = Aggregation::recursive, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_w10_recursive_p4{
-    .width_px = 32, .height_px = 12, .disparities = 9, .window_px = 10, .pixels_per_clock = 4, .aggregation =
-    Aggregation::recursive, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 9, .window_px = 10, .pixels_per_clock = 4,
+    .aggregation = Aggregation::recursive, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_w21_recursive{
     .width_px = 32, .height_px = 24, .disparities = 12, .window_px = 21, .aggregation = Aggregation::recursive,
     .slice_disparities = 6};
@@ -186,8 +182,8 @@ inline constexpr StereoConfig tiny_min_below_p2{
 inline constexpr StereoConfig tiny_left{
     .width_px = 32, .height_px = 12, .disparities = 8, .reference = Reference::left, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_left_w4_p2{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 4, .pixels_per_clock = 2, .reference =
-    Reference::left, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 4, .pixels_per_clock = 2,
+    .reference = Reference::left, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_left_min5{
     .width_px = 32, .height_px = 12, .disparities = 8, .min_disparity = 5, .reference = Reference::left,
     .slice_disparities = 3};
@@ -213,8 +209,8 @@ inline constexpr StereoConfig tiny_census_9x7{
     .width_px = 32, .height_px = 12, .disparities = 5, .cost = Cost::census, .census_width_px = 9,
     .census_height_px = 7, .slice_disparities = 25};
 inline constexpr StereoConfig tiny_census_left_recursive{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 6, .reference = Reference::left, .cost =
-    Cost::census, .aggregation = Aggregation::recursive, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 6, .reference = Reference::left,
+    .cost = Cost::census, .aggregation = Aggregation::recursive, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_lr{
     .width_px = 32, .height_px = 12, .disparities = 8, .left_right_threshold = 1, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_lr_p2{
@@ -227,8 +223,8 @@ inline constexpr StereoConfig tiny_lr_left_ties{
     .width_px = 32, .height_px = 12, .disparities = 8, .reference = Reference::left, .ties = Ties::largest,
     .left_right_threshold = 0, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_lr_min3_recursive{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 7, .min_disparity = 3, .left_right_threshold =
-    1, .aggregation = Aggregation::recursive, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 7, .min_disparity = 3,
+    .left_right_threshold = 1, .aggregation = Aggregation::recursive, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_unique{
     .width_px = 32, .height_px = 12, .disparities = 8, .uniqueness_percent = 15, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_unique_left_p2{
@@ -256,11 +252,11 @@ inline constexpr StereoConfig tiny_subpixel_left_p2{
 inline constexpr StereoConfig tiny_median{
     .width_px = 32, .height_px = 12, .disparities = 8, .median = true, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_median_p2{
-    .width_px = 32, .height_px = 12, .disparities = 8, .pixels_per_clock = 2, .median = true, .slice_disparities =
-    3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .pixels_per_clock = 2, .median = true,
+    .slice_disparities = 3};
 inline constexpr StereoConfig tiny_median_left_subpixel{
-    .width_px = 32, .height_px = 12, .disparities = 8, .reference = Reference::left, .subpixel = true, .median =
-    true, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .reference = Reference::left, .subpixel = true,
+    .median = true, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_all{
     .width_px = 32, .height_px = 12, .disparities = 8, .prefilter = Prefilter::xsobel, .left_right_threshold = 1,
     .uniqueness_percent = 10, .texture_threshold = 30, .subpixel = true, .median = true, .slice_disparities = 3};
@@ -270,12 +266,12 @@ inline constexpr StereoConfig tiny_all_left_p2{
     .texture_threshold = 30, .subpixel = true, .median = true, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_all_p4{
     .width_px = 32, .height_px = 12, .disparities = 8, .pixels_per_clock = 4, .prefilter = Prefilter::xsobel,
-    .left_right_threshold = 1, .uniqueness_percent = 10, .texture_threshold = 30, .subpixel = true, .median =
-    true, .slice_disparities = 3};
+    .left_right_threshold = 1, .uniqueness_percent = 10, .texture_threshold = 30, .subpixel = true,
+    .median = true, .slice_disparities = 3};
 inline constexpr StereoConfig tiny_all_recursive{
-    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 7, .min_disparity = 1, .prefilter =
-    Prefilter::xsobel, .left_right_threshold = 1, .uniqueness_percent = 10, .texture_threshold = 100, .subpixel =
-    true, .median = true, .aggregation = Aggregation::recursive, .slice_disparities = 3};
+    .width_px = 32, .height_px = 12, .disparities = 8, .window_px = 7, .min_disparity = 1,
+    .prefilter = Prefilter::xsobel, .left_right_threshold = 1, .uniqueness_percent = 10, .texture_threshold = 100,
+    .subpixel = true, .median = true, .aggregation = Aggregation::recursive, .slice_disparities = 3};
 
 }  // namespace stereo::configurations
 
@@ -310,7 +306,7 @@ inline constexpr StereoConfig tiny_all_recursive{
 #define STEREO_STUDY_CONFIGURATIONS_B(CALL) \
    CALL(study_ssd) CALL(study_census) CALL(study_left_right) CALL(study_uniqueness) CALL(study_xsobel) \
    CALL(study_texture) CALL(study_subpixel) CALL(study_median) CALL(study_all) CALL(study_cost2) \
-   CALL(study_cost1) CALL(study_group4) CALL(study_slice8) CALL(study_slice32)
+   CALL(study_cost1) CALL(study_group4) CALL(study_slice4) CALL(study_slice16)
 
 /// Calls the macro CALL(name) for each named configuration.
 #define STEREO_FOR_EACH_CONFIGURATION(CALL) \

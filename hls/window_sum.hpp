@@ -5,32 +5,43 @@
 
 namespace stereo {
 
-/// Holds the tags of the columns that came after a window's centre, so that a window carries its centre's tag.
+/// Holds what the tags say of the columns that came after a window's centre, so that a window carries its centre's tag.
 template <const StereoConfig& C>
 struct CentreTag {
    static constexpr int kAfter = C.columns_after();
+   static constexpr int kHeld = kAfter > 0 ? kAfter : 1;
 
-   PixelTag held[kAfter > 0 ? kAfter : 1];  ///< [j]: tag of the column j+1 before the newest
+   // [j]: of the column j+1 before the newest
+   bool map_column[kHeld], output_column[kHeld], first_column[kHeld], start_of_frame[kHeld], end_of_line[kHeld];
+
+   HLS_INLINE CentreTag() {
+      fill(map_column, false);
+      fill(output_column, false);
+      fill(first_column, false);
+      fill(start_of_frame, false);
+      fill(end_of_line, false);
+   }
 
    /// The centre's tag of the window that `newest` completes.
    HLS_INLINE PixelTag clock(const PixelTag& newest) {
-      PixelTag centre = kAfter > 0 ? held[kAfter > 0 ? kAfter - 1 : 0] : newest;
+      PixelTag centre;
       centre.valid = newest.valid;
-      HLS_UNROLL
-      for (int j = kAfter - 1; j > 0; --j) held[j] = hold(newest.valid, held[j - 1], held[j]);
-      held[0] = hold(newest.valid, newest, held[0]);
+      centre.map_column = shifted(map_column, newest.map_column, newest.valid);
+      centre.output_column = shifted(output_column, newest.output_column, newest.valid);
+      centre.first_column = shifted(first_column, newest.first_column, newest.valid);
+      centre.start_of_frame = shifted(start_of_frame, newest.start_of_frame, newest.valid);
+      centre.end_of_line = shifted(end_of_line, newest.end_of_line, newest.valid);
       return centre;
    }
 
   private:
-   static HLS_INLINE PixelTag hold(bool move, const PixelTag& next, const PixelTag& now) {
-      PixelTag tag;
-      tag.map_column = select<bool>(move, next.map_column, now.map_column);
-      tag.output_column = select<bool>(move, next.output_column, now.output_column);
-      tag.first_column = select<bool>(move, next.first_column, now.first_column);
-      tag.start_of_frame = select<bool>(move, next.start_of_frame, now.start_of_frame);
-      tag.end_of_line = select<bool>(move, next.end_of_line, now.end_of_line);
-      return tag;
+   /// Takes in the newest flag; returns that of the centre.
+   static HLS_INLINE bool shifted(bool (&held)[kHeld], bool newest, bool move) {
+      const bool centre = kAfter > 0 ? held[kHeld - 1] : newest;
+      HLS_UNROLL
+      for (int j = kHeld - 1; j > 0; --j) held[j] = select<bool>(move, held[j - 1], held[j]);
+      held[0] = select<bool>(move, newest, held[0]);
+      return centre;
    }
 };
 

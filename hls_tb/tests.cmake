@@ -21,6 +21,7 @@ add_executable(
   window_sum_test.cpp
   candidate_test.cpp
   winner_tree_test.cpp
+  winner_tree_exhaustive_test.cpp
   diagonal_minimum_test.cpp
   disparity_slice_test.cpp
   texture_test.cpp

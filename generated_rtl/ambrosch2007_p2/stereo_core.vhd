@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo block-matching core, configuration ambrosch2007_p2: 320x240, 100 disparities, 3x3 window, 2 pixel pairs a clock.
+-- Options: right reference, sad cost, direct sums.
 -- Made from hls/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007_p2
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -71,6 +72,7 @@ architecture rtl of stereo_core is
   signal in_right_pixel : natural range 0 to 65535;
   -- raster
   signal raster_search_0, raster_search_1 : natural range 0 to 255;
+  signal raster_reference_words_0 : natural range 0 to 65535;
   signal raster_valid, raster_next_frame : boolean;
   signal raster_column : natural range 0 to 511;
   signal raster_group : natural range 0 to 127;
@@ -1107,8 +1109,6 @@ architecture rtl of stereo_core is
   signal slice3best_index_0_0, slice3best_index_1_0 : natural range 0 to 99;
   signal slice3best_tag_valid, slice3best_tag_output_column, slice3best_tag_start_of_frame : boolean;
   signal slice3best_tag_end_of_line : boolean;
-  -- other
-  signal other_0 : natural range 0 to 65535;
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
@@ -1140,7 +1140,7 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= to_unsigned(other_0, 16);
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_reference_words_0, 16);
   delay_delayed_0_memory : entity work.line_memory
     generic map (depth => 100, width => 16)
     port map (
@@ -1284,6 +1284,7 @@ begin
       raster_group_choice_4 := raster_group_choice_3 when raster_group_choice_2 else raster_group;
       raster_search_0 <= in_left_pixel mod 256;
       raster_search_1 <= in_left_pixel / 256;
+      raster_reference_words_0 <= in_right_pixel;
       raster_valid <= in_valid;
       raster_group <= raster_group_choice * 8 when in_start_of_frame and in_valid else raster_group_choice_4;
       raster_next_frame_choice := raster_next_frame and ((raster_group mod 2) = 1) when raster_group_is_equal else
@@ -4950,8 +4951,6 @@ begin
       slice3best_tag_output_column <= slice2best_tag_output_column;
       slice3best_tag_start_of_frame <= slice2best_tag_start_of_frame;
       slice3best_tag_end_of_line <= slice2best_tag_end_of_line;
-      -- other
-      other_0 <= in_right_pixel;
       if reset = '1' then
         raster_valid <= false;
         raster_column <= 0;

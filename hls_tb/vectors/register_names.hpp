@@ -199,7 +199,14 @@ void visit_cost(Visit& visit, const std::string& name, const RecursiveColumn<C, 
 
 template <class Visit, const StereoConfig& C>
 void visit_centre(Visit& visit, const std::string& name, const CentreTag<C>& centre) {
-   for (int j = 0; j < CentreTag<C>::kAfter; ++j) visit_tag(visit, name + "_" + std::to_string(j), centre.held[j]);
+   for (int j = 0; j < CentreTag<C>::kAfter; ++j) {
+      const std::string place = name + "_" + std::to_string(j);
+      visit_value(visit, place + "_map_column", centre.map_column[j]);
+      visit_value(visit, place + "_output_column", centre.output_column[j]);
+      visit_value(visit, place + "_first_column", centre.first_column[j]);
+      visit_value(visit, place + "_start_of_frame", centre.start_of_frame[j]);
+      visit_value(visit, place + "_end_of_line", centre.end_of_line[j]);
+   }
 }
 
 template <class Visit, const StereoConfig& C, int Count>

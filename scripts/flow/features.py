@@ -23,7 +23,7 @@ OPTIONS = [
     ("after the winner", [("study_subpixel", "subpixel"), ("study_median", "median 3x3")]),
     ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
 ]
-DEPTHS = ["study", "study_cost2", "study_cost1", "study_group4", "study_slice8", "study_slice32"]
+DEPTHS = ["study", "study_cost2", "study_cost1", "study_group4", "study_slice4", "study_slice16"]
 
 TEXT = """\
 # Features and what they cost

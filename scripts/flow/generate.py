@@ -47,8 +47,9 @@ def _options(parameters):
 def netlist_of(config, parameters, design, work):
     """The tool's design, lowered, checked against the C++ core and named after it."""
     netlist = lower(design)
+    width, first_output = parameters["width_px"], parameters["groups_to_first_output"]
     groups = -(-2 * parameters["window_px"] // parameters["pixels_per_clock"])  # until every stored row holds pixels
-    clocks = max(TRACE_ROWS, groups + 2) * parameters["width_px"] + parameters["groups_to_first_output"] % parameters["width_px"]
+    clocks = max(max(TRACE_ROWS, groups + 2) * width + first_output % width, first_output + parameters["latency_clocks"] + 2 * width)
     narrow_memories(netlist)
     join_memory_slices(netlist)
     run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)

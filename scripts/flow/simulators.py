@@ -151,13 +151,14 @@ class Verilator(Simulator):
 SIMULATORS = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}
 
 
-def to_verilog(vhdl_files, work_directory):
-    """The design as Verilog text, by `ghdl --synth`."""
+def to_verilog(vhdl_files, work_directory, top="stereo_core", generics=None):
+    """The design as Verilog text, by `ghdl --synth`. `generics`: {name: value} of the top."""
     ghdl = find_ghdl()
     folder = Path(work_directory) / "synth"
     folder.mkdir(parents=True, exist_ok=True)
     run([ghdl, "-a", GHDL_STANDARD, *vhdl_files], cwd=folder, log=folder / "analyse.log")
-    verilog = run([ghdl, "--synth", GHDL_STANDARD, "--out=verilog", "stereo_core"], cwd=folder)
-    if "module stereo_core" not in verilog:
-        raise FlowError("ghdl --synth did not write a module stereo_core", 4)
+    values = [f"-g{name}={value}" for name, value in (generics or {}).items()]
+    verilog = run([ghdl, "--synth", GHDL_STANDARD, *values, "--out=verilog", top], cwd=folder)
+    if f"module {top}" not in verilog:
+        raise FlowError(f"ghdl --synth did not write a module {top}", 4)
     return verilog

@@ -39,3 +39,7 @@ def ghdl():
 def verilator():
     return need("verilator", "VERILATOR")
 
+
+@pytest.fixture
+def yosys():
+    return need("yosys", "YOSYS")

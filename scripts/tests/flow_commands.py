@@ -35,13 +35,14 @@ def scene(folder, config, seed=7):
     return folder / "left.png", folder / "right.png"
 
 
-def random_pair(folder, config, levels, seed=1):
-    """(left, right) of unrelated noise with so many grey levels from 0 to 255: few levels give ties and extremes everywhere."""
+def random_pair(folder, config, levels, seed=1, brightest=255):
+    """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties everywhere, far
+    apart also extremes, close together sums that differ by little."""
     size = configuration(config)
     generator = random.Random(f"{levels} {seed}")
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("left", "right"):
-        pixels = bytes(generator.randrange(levels) * 255 // max(levels - 1, 1) for _ in range(size["width_px"] * size["height_px"]))
+        pixels = bytes(generator.randrange(levels) * brightest // max(levels - 1, 1) for _ in range(size["width_px"] * size["height_px"]))
         (folder / f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (size["width_px"], size["height_px"]) + pixels)
     return folder / "left.pgm", folder / "right.pgm"
 

@@ -52,8 +52,8 @@ def test_options_stand_beside_the_plain_core(folders):
 def test_recursive_sums_need_a_gap_between_frames():
     table = configurations()
     direct, recursive = table["study_w7"], table["study_w7_recursive"]
-    assert figures.clocks_per_frame(direct) == 160 * 120
-    assert figures.clocks_per_frame(recursive) == 160 * (120 + 3)
+    assert figures.clocks_per_frame(direct) == 96 * 64
+    assert figures.clocks_per_frame(recursive) == 96 * (64 + 3)
 
 
 def test_the_page_of_a_missing_result_is_refused(folders):

@@ -23,11 +23,13 @@ def random_expression(rng, depth):
         return n.leaf("input", name, WIDTHS[name]), lambda i: i[name]
     x, fx = random_expression(rng, depth - 1)
     y, fy = random_expression(rng, depth - 1)
-    kind = rng.choice(("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held"))
+    kind = rng.choice(("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held", "mul"))
     if kind == "add":
         return n.add(x, y), lambda i: fx(i) + fy(i)
     if kind == "sub":
         return n.sub(x, y), lambda i: fx(i) - fy(i)
+    if kind == "mul":
+        return n.mul(x, y), lambda i: fx(i) * fy(i)
     if kind == "wrap":
         width, signed = rng.randrange(1, 12), rng.random() < 0.3
         return n.wrap(x, width, signed), lambda i: wrapped(fx(i), width, signed)
@@ -120,3 +122,25 @@ def test_twins_are_merged_and_unused_registers_dropped():
     netlist.remove_unused(design)
     assert [r.name for r in design.registers] == ["one", "after"]
     assert after.next is one.value
+
+
+def test_wraps_inside_a_sum_that_is_wrapped_anyway_fall_away():
+    a, b = n.leaf("input", "a", 8), n.leaf("input", "b", 8)
+    assert n.wrap(n.add(n.wrap(n.sub(a, b), 32), b), 8) is n.wrap(n.add(n.sub(a, b), b), 8)
+    assert n.sub(n.shift_left(a, 4), a).op == "mul", "15 a, which is never negative"
+
+
+def test_the_pieces_of_a_word_behind_a_memory_become_one_register():
+    """8 bits of memory, of which two registers take 3 and 5 bits; the word starts as they do."""
+    address = netlist.Register("address", n.leaf("register", "address", 2))
+    data = n.leaf("memory", "m", 8)
+    low, high = netlist.Register("low", n.leaf("register", "low", 3), 5), netlist.Register("high", n.leaf("register", "high", 5), 1)
+    address.next = n.wrap(n.add(address.value, n.const(1)), 2)
+    low.next, high.next = n.wrap(data, 3), n.shift_right(data, 3)
+    memory = netlist.Memory("m", 4, 8, data, address.value, address.value, n.leaf("input", "a", 8))
+    design = netlist.Netlist({"a": n.leaf("input", "a", 8)}, {"low": low.value, "high": high.value}, [address, low, high], [memory])
+    netlist.join_memory_slices(design)
+    assert [r.name for r in design.registers] == ["address", "m_word"]
+    word = design.registers[1]
+    assert word.next is data and word.initial == 5 | 1 << 3
+    assert design.outputs == {"low": n.wrap(word.value, 3), "high": n.shift_right(word.value, 3)}

@@ -30,6 +30,7 @@ EITHER = {
     "plus": (2, lambda i, g: i["in1"] + i["in2"]),
     "pointer_plus": (2, lambda i, g: i["in1"] + i["in2"]),
     "minus": (2, lambda i, g: i["in1"] - i["in2"]),
+    "mult": (2, lambda i, g: i["in1"] * i["in2"]),
     "ternary_plus": (3, lambda i, g: i["in1"] + i["in2"] + i["in3"]),
     "ternary_pm": (3, lambda i, g: i["in1"] + i["in2"] - i["in3"]),
     "ternary_mp": (3, lambda i, g: i["in1"] - i["in2"] + i["in3"]),

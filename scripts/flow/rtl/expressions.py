@@ -89,6 +89,8 @@ class Writer:
             return f"({text})"
         if node.op == "sub":
             return f"({self.number(node.args[0])} - {self.number(node.args[1])})"
+        if self._is_bitwise(node):
+            return f"to_integer({self._bitwise(node, node.width)})"
         if node.op == "mul":
             return f"({self.number(node.args[0])} * {self.number(node.args[1])})"
         if node.op in FUNCTIONS:
@@ -100,6 +102,15 @@ class Writer:
         if node.op == "shr":
             return self._shifted(node)
         raise FlowError(f"no VHDL for the operation '{node.op}' on {node.width} bits", EXIT_TOOL_FAILED)
+
+    @staticmethod
+    def _is_bitwise(node):
+        """Word by word, not a condition, on numbers that are never negative."""
+        return node.op in ("and", "or", "xor") and node.param is not None and all(a.low >= 0 for a in node.args)
+
+    def _bitwise(self, node, width):
+        a, b = (self.word(argument, width) for argument in node.args)
+        return f"(({a}) {node.op} ({b}))"
 
     def _wrapped(self, node):
         (a,), (width, signed) = node.args, node.param
@@ -127,6 +138,8 @@ class Writer:
         if id(node) in self.names and self.names[id(node)][1]:
             name = self._name(node)
             return name if node.width == width else f"resize({name}, {width})"
+        if self._is_bitwise(node):
+            return self._bitwise(node, width)
         if not is_wide(node):
             if node.op == "add" or node.op == "shl":
                 return self._concatenated(node, width)

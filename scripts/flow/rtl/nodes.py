@@ -77,9 +77,10 @@ def wrap(a, width, signed=False):
         return mux(a.args[0], wrap(a.args[1], width, signed), wrap(a.args[2], width, signed))
     if a.op == "shl" and not signed:
         return shift_left(wrap(a.args[0], width - a.param), a.param) if a.param < width else const(0)
-    if a.op in ("add", "sub", "mul") and any(_wraps_wider(term, width) for term in a.args):
-        make = {"add": add, "sub": sub, "mul": mul}[a.op]
-        return wrap(make(*[term.args[0] if _wraps_wider(term, width) else term for term in a.args]), width, signed)
+    if a.op in ("add", "sub", "mul"):
+        terms = [_of_width(term, width) for term in a.args]
+        if any(new is not old for new, old in zip(terms, a.args)):
+            return wrap({"add": add, "sub": sub, "mul": mul}[a.op](*terms), width, signed)
     if a.op == "add" and not signed and disjoint_ones(a.args) is not None:
         return add(*[wrap(term, width) for term in a.args])
     if a.op == "add" and not signed:
@@ -92,9 +93,16 @@ def wrap(a, width, signed=False):
     return _node("wrap", (a,), (width, signed), low, high, ones)
 
 
-def _wraps_wider(node, width):
-    """Wrapping to `width` bits afterwards makes this wrapping superfluous."""
-    return node.op == "wrap" and node.param[0] >= width
+LONG = 1 << 31  # no integer of VHDL
+
+
+def _of_width(node, width):
+    """A term of a sum or product of which only the lowest `width` bits count: without a wrapping to more bits, and not longer
+    than an integer where that can be avoided."""
+    inner = node.args[0] if node.op == "wrap" and node.param[0] >= width else node
+    if -LONG <= inner.low and inner.high < LONG:
+        return inner
+    return wrap(inner, width) if LONG > 1 << width else node
 
 
 def fits_signed(a, width):
@@ -184,6 +192,8 @@ def positive(a):
 def mul(a, b):
     if is_const(a):
         a, b = b, a
+    if is_const(a):
+        return const(a.param * b.param)
     if is_const(b):
         if b.param == 0:
             return b
@@ -215,6 +225,8 @@ def shift_right(a, count):
         return shift_right(a.args[0], a.param + count)
     if a.op == "wrap" and a.param == (count + 1, False) and fits_signed(a.args[0], count + 1):
         return less(a.args[0], const(0))
+    if a.op == "wrap" and a.high >= LONG and not a.param[1]:
+        return wrap(shift_right(a.args[0], count), a.param[0] - count)
     if a.op == "shl" and a.param >= count:
         return shift_left(a.args[0], a.param - count)
     if a.op == "add" and disjoint_ones(a.args) is not None:
@@ -358,7 +370,19 @@ def less(a, b):
         return const(1)
     if a.low >= b.high:
         return const(0)
+    if _wraps_negatives_beyond(a, b):  # 0 <= x < b
+        return bit_and(bit_not(less(a.args[0], const(0))), less(a.args[0], b))
+    if _wraps_negatives_beyond(b, a):  # x < 0 or a < x
+        return bit_or(less(b.args[0], const(0)), less(a, b.args[0]))
     return _node("lt", (a, b), None, 0, 1)
+
+
+def _wraps_negatives_beyond(node, other):
+    """An unsigned comparison whose negative numbers count as more than any value of `other`: a range check."""
+    if node.op != "wrap" or node.param[1] or node.args[0].low >= 0 or other.low < 0:
+        return False
+    inner, modulus = node.args[0], 1 << node.param[0]
+    return inner.high < modulus and inner.low + modulus > other.high
 
 
 def equal(a, b):

@@ -1,0 +1,61 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- A memory of whole words with one synchronous read and one write a clock, the template that synthesisers fold into block
+-- RAM or LUT RAM. Both addresses must come from registers.
+--   read_data  the word at read_address of the last clock with read_enable; a read sees the word before a write of the
+--              same clock to the same address
+--   write      in every clock; a user that has nothing to write repeats its last write
+-- Size: depth * width bits, all 0 at start in simulation, not cleared by any reset.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity line_memory is
+  generic (
+    depth : positive;
+    width : positive
+  );
+  port (
+    clock : in std_logic;
+    read_enable : in boolean;
+    read_address : in natural;
+    read_data : out unsigned(width - 1 downto 0);
+    write_address : in natural;
+    write_data : in unsigned(width - 1 downto 0)
+  );
+end entity;
+
+architecture rtl of line_memory is
+  -- Columns of whole numbers: integers start at 0 by themselves, and a memory without initial values is what some
+  -- synthesisers need for block RAM. As few columns as integers allow, all equally wide: a block RAM holds 32 or 36 bits
+  -- side by side.
+  constant columns : positive := (width + 29) / 30;
+  constant column_bits : positive := (width + columns - 1) / columns;
+
+  function least(a, b : natural) return natural is
+  begin
+    if a < b then
+      return a;
+    end if;
+    return b;
+  end function;
+begin
+  column : for c in 0 to columns - 1 generate
+    constant low : natural := c * column_bits;
+    constant high : natural := least(low + column_bits, width) - 1;
+    constant bits : natural := high - low + 1;
+    type words is array (0 to depth - 1) of natural range 0 to 2 ** bits - 1;
+    signal memory : words;
+    signal word : natural range 0 to 2 ** bits - 1;
+  begin
+    process (clock)
+    begin
+      if rising_edge(clock) then
+        if read_enable then
+          word <= memory(read_address);
+        end if;
+        memory(write_address) <= to_integer(write_data(high downto low));
+      end if;
+    end process;
+    read_data(high downto low) <= to_unsigned(word, bits);
+  end generate;
+end architecture;

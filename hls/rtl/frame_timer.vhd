@@ -1,0 +1,47 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Measures how long frames take: from the clock after `starts` to the one with `ends`, both counted.
+-- Frames overlap: start_slot and end_slot, 0 or 1, say which of two is meant.
+--   clocks  of the last frame that ended, 0 before the first; modulo 2**32
+-- Size: 128 register bits.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity frame_timer is
+  port (
+    clock : in std_logic;
+    reset : in std_logic;
+    starts : in std_logic;
+    start_slot : in std_logic;
+    ends : in std_logic;
+    end_slot : in std_logic;
+    clocks : out unsigned(31 downto 0)
+  );
+end entity;
+
+architecture rtl of frame_timer is
+  type times is array (0 to 1) of unsigned(31 downto 0);
+  signal now_clock : unsigned(31 downto 0) := (others => '0');
+  signal started : times := (others => (others => '0'));
+begin
+  process (clock)
+    variable start_clock : unsigned(31 downto 0);
+  begin
+    if rising_edge(clock) then
+      now_clock <= now_clock + 1;
+      if starts = '1' and start_slot = '0' then
+        started(0) <= now_clock;
+      elsif starts = '1' then
+        started(1) <= now_clock;
+      end if;
+      start_clock := started(0) when end_slot = '0' else started(1);
+      if ends = '1' then
+        clocks <= now_clock - start_clock;
+      end if;
+      if reset = '1' then
+        now_clock <= (others => '0');
+        clocks <= (others => '0');
+      end if;
+    end if;
+  end process;
+end architecture;

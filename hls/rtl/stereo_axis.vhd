@@ -1,0 +1,162 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The stereo core between two AXI4-Streams, with back-pressure on both sides. All stream outputs come from registers.
+--
+-- s_axis: both images, a group of P rows a beat (P = pixels_per_clock), columns 0 ... W-1 of each group of rows.
+--   tdata   bits 8p+7 ... 8p: left pixel of row p of the group, 0 the upper one; 8P bits further up: right pixels
+--   tuser   bit 0: start of frame, with the first beat of a frame
+--   tlast   end of line, with the last column of each group of rows: H/P times a frame
+-- m_axis: the disparity map, as wide as the configuration says, with the same framing.
+--   tdata   `disparity_bits` bits for each row of the group, the upper row at the bottom; above them a byte with bit p = row
+--           p's disparity has passed all checks, the other bits '0'
+--   tuser   bit 0: start of frame; bit 1: frame error
+--   tlast   end of line
+-- Each frame that begins on m_axis ends there with all its beats. Frame error is '1' with each beat of a frame that is not
+-- made of pixels of s_axis only, and with the last beat of each frame that did not come in whole. A frame whose last beat
+-- has it '0' is exact.
+--
+--   enable           '0': s_axis waits between frames
+--   soft_reset       hold until soft_reset_done: ends the frame in progress with frame error, then resets the core
+--   busy             something is in the shell or on its way through the core
+--   errors           pulses: bits 0 ... 3 of stereo_framing, 4: the core is not as the generics say
+--   frame_ends       a frame's last disparity leaves the core; frame_ends_broken: it is not whole
+--   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
+--                    last disparity leaves it, both counted
+-- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 4) words of (disparity_bits + 1) * P + 3 bits.
+-- Generics: as in the configuration's manifest.json, `stereo_hls configurations --json`; scripts/instantiate.py fills
+-- them in.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_axis is
+  generic (
+    width_px : positive;
+    height_px : positive;
+    pixels_per_clock : positive;
+    disparity_bits : positive;
+    latency_clocks : positive;
+    flush_groups : natural;
+    gap_groups : natural
+  );
+  port (
+    aclk : in std_logic;
+    aresetn : in std_logic;  -- synchronous, active low, one clock is enough
+    s_axis_tvalid : in std_logic;
+    s_axis_tready : out std_logic;
+    s_axis_tdata : in std_logic_vector(16 * pixels_per_clock - 1 downto 0);
+    s_axis_tuser : in std_logic_vector(0 downto 0);
+    s_axis_tlast : in std_logic;
+    m_axis_tvalid : out std_logic;
+    m_axis_tready : in std_logic;
+    m_axis_tdata : out std_logic_vector(disparity_bits * pixels_per_clock + 7 downto 0);
+    m_axis_tuser : out std_logic_vector(1 downto 0);
+    m_axis_tlast : out std_logic;
+    enable : in std_logic;
+    soft_reset : in std_logic;
+    soft_reset_done : out std_logic;
+    busy : out std_logic;
+    errors : out std_logic_vector(4 downto 0);
+    frame_ends : out std_logic;
+    frame_ends_broken : out std_logic;
+    frame_clocks : out unsigned(31 downto 0)
+  );
+end entity;
+
+architecture rtl of stereo_axis is
+  constant pixel_bits : positive := 8 * pixels_per_clock;
+  constant map_bits : positive := disparity_bits * pixels_per_clock;
+  constant beat_bits : positive := 2 * pixel_bits + 2;
+  constant word_bits : positive := map_bits + pixels_per_clock + 3;
+  constant credits : positive := latency_clocks + 4;
+
+  signal reset, clear, restart : std_logic;
+  signal s_beat, beat : std_logic_vector(beat_bits - 1 downto 0);
+  signal beat_valid, beat_take : std_logic;
+  signal may_send, may_start, sends, starts, breaks, at_rest, in_flight, all_back, stray : std_logic;
+  signal stream_errors : std_logic_vector(3 downto 0);
+  signal group_valid, group_start : std_logic;
+  signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
+  signal disparity : std_logic_vector(map_bits - 1 downto 0);
+  signal pixel_valid : std_logic_vector(pixels_per_clock - 1 downto 0);
+  signal core_valid, core_start, core_last, result : std_logic;
+  signal frame_error, ends, entering, leaving : std_logic;
+  signal result_word, word : std_logic_vector(word_bits - 1 downto 0);
+  signal word_valid, taken : std_logic;
+begin
+  reset <= not aresetn;
+  clear <= reset or restart;
+  -- When nothing is left in the core that could come out of it.
+  restart <= soft_reset and at_rest and not in_flight;
+  soft_reset_done <= restart;
+
+  s_beat <= s_axis_tuser & s_axis_tlast & s_axis_tdata;
+
+  input_register : entity work.stream_register
+    generic map (width => beat_bits)
+    port map (
+      clock => aclk, reset => reset,
+      in_valid => s_axis_tvalid, in_ready => s_axis_tready, in_data => s_beat,
+      out_valid => beat_valid, out_ready => beat_take, out_data => beat);
+
+  framing : entity work.stereo_framing
+    generic map (
+      columns => width_px, row_groups => height_px / pixels_per_clock,
+      flush_groups => flush_groups, gap_groups => gap_groups, data_bits => 2 * pixel_bits)
+    port map (
+      clock => aclk, reset => reset, enable => enable, halt => soft_reset, at_rest => at_rest,
+      in_valid => beat_valid, in_start => beat(beat_bits - 1), in_last => beat(beat_bits - 2),
+      in_data => beat(beat_bits - 3 downto 0), in_take => beat_take,
+      may_send => may_send, may_start => may_start, sends => sends, starts => starts, breaks => breaks,
+      error => stream_errors,
+      out_valid => group_valid, out_start => group_start, out_data => group_pixels);
+
+  core : entity work.stereo_core
+    port map (
+      clock => aclk, reset => clear,
+      left_pixel => group_pixels(pixel_bits - 1 downto 0), right_pixel => group_pixels(2 * pixel_bits - 1 downto pixel_bits),
+      start_of_frame => group_start, valid => group_valid,
+      disparity => disparity, pixel_valid => pixel_valid, disparity_valid => core_valid,
+      disparity_start_of_frame => core_start, disparity_end_of_line => core_last);
+
+  -- What has no credit has no place in the queue either.
+  result <= core_valid and not stray;
+
+  frames : entity work.stereo_frames
+    generic map (row_groups => height_px / pixels_per_clock)
+    port map (
+      clock => aclk, reset => clear, starts => starts, breaks => breaks, may_start => may_start,
+      result_valid => result, result_start => core_start, result_last => core_last,
+      frame_error => frame_error, ends => ends, entering => entering, leaving => leaving);
+
+  timer : entity work.frame_timer
+    port map (
+      clock => aclk, reset => clear, starts => starts, start_slot => not entering, ends => ends, end_slot => leaving,
+      clocks => frame_clocks);
+
+  result_word <= frame_error & core_start & core_last & pixel_valid & disparity;
+
+  queue : entity work.stream_fifo
+    generic map (depth => credits, width => word_bits)
+    port map (
+      clock => aclk, reset => reset, in_valid => result, in_data => result_word,
+      out_valid => word_valid, out_ready => m_axis_tready, out_data => word);
+
+  credit : entity work.stream_credit
+    generic map (words => credits, latency => latency_clocks)
+    port map (
+      clock => aclk, reset => reset, sends => sends, result => core_valid, taken => taken,
+      may_send => may_send, in_flight => in_flight, all_back => all_back, stray => stray);
+
+  taken <= word_valid and m_axis_tready;
+  m_axis_tvalid <= word_valid;
+  m_axis_tdata(map_bits - 1 downto 0) <= word(map_bits - 1 downto 0);
+  m_axis_tdata(map_bits + 7 downto map_bits) <=
+    std_logic_vector(resize(unsigned(word(map_bits + pixels_per_clock - 1 downto map_bits)), 8));
+  m_axis_tlast <= word(word_bits - 3);
+  m_axis_tuser <= word(word_bits - 1 downto word_bits - 2);
+
+  busy <= beat_valid or not at_rest or not all_back;
+  errors <= stray & stream_errors;
+  frame_ends <= ends;
+  frame_ends_broken <= ends and frame_error;
+end architecture;

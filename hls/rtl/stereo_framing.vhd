@@ -1,0 +1,142 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Makes whole frames of whatever comes in: the core sees W*H/P groups from each start of frame on, nothing else but flush
+-- groups after them, and never two starts too close together.
+--   in_*         valid/take stream of groups: start of frame, end of line, pixels. in_take depends on in_valid.
+--   out_*        to the core, from registers
+--   may_send     a group may be sent in this clock; sends: one is (it stands at out_* in the next clock)
+--   may_start    a frame may begin, as far as the frames before it are concerned
+--   enable       '0': no frame begins; one that has begun goes on
+--   halt         ends the frame in progress as a broken one, and none begins; at_rest: there is none, and the last one has
+--                all its flush groups
+--   starts       a frame begins in this clock
+--   breaks       the frame in progress (or the one that begins) turns out not to be whole
+--   error        pulses: bit 0 early end of line, 1 late end of line, 2 start of frame within a frame,
+--                3 group outside a frame
+-- A frame that breaks is filled up with whatever stands at the input. What the stream still brings of it is dropped, up to
+-- the next start of frame, which waits until the filling is done.
+-- After a frame come flush_groups groups of anything, unless the next frame stands ready when gap_groups of them are sent.
+library ieee;
+use ieee.std_logic_1164.all;
+
+entity stereo_framing is
+  generic (
+    columns : positive;  -- W
+    row_groups : positive;  -- H/P
+    flush_groups : natural;
+    gap_groups : natural;
+    data_bits : positive
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;
+    enable : in std_logic;
+    halt : in std_logic;
+    at_rest : out std_logic;
+    in_valid : in std_logic;
+    in_start : in std_logic;
+    in_last : in std_logic;
+    in_data : in std_logic_vector(data_bits - 1 downto 0);
+    in_take : out std_logic;
+    may_send : in std_logic;
+    may_start : in std_logic;
+    sends : out std_logic;
+    starts : out std_logic;
+    breaks : out std_logic;
+    error : out std_logic_vector(3 downto 0);
+    out_valid : out std_logic := '0';
+    out_start : out std_logic := '0';
+    out_data : out std_logic_vector(data_bits - 1 downto 0)
+  );
+end entity;
+
+architecture rtl of stereo_framing is
+  function larger(a, b : natural) return natural is
+  begin
+    if a > b then
+      return a;
+    end if;
+    return b;
+  end function;
+
+  constant all_flush_groups : natural := larger(flush_groups, gap_groups);
+
+  type phases is (idle, inside, filling, flushing);
+  signal phase : phases := idle;
+  signal column : natural range 0 to columns - 1 := 0;  -- of the next group of the frame
+  signal row_group : natural range 0 to row_groups - 1 := 0;
+  signal flushed : natural range 0 to all_flush_groups := 0;  -- flush groups sent since the frame
+  signal lost : std_logic := '0';  -- since the last break no start of frame has come
+
+  signal may_begin, begins, continues, fills, brings, drops : std_logic;
+  signal line_ends, frame_ends, early_end, late_end, early_start, broken : std_logic;
+begin
+  may_begin <= enable and not halt and may_start when phase = idle or (phase = flushing and flushed = gap_groups) else '0';
+  begins <= in_valid and in_start and may_begin and may_send;
+  continues <= in_valid and not in_start and not halt and may_send when phase = inside else '0';
+  fills <= may_send and not begins when phase = filling or phase = flushing else '0';
+  brings <= begins or continues;
+  drops <= in_valid and not in_start when phase /= inside else '0';
+
+  line_ends <= '1' when column = columns - 1 else '0';
+  frame_ends <= line_ends when row_group = row_groups - 1 else '0';
+  early_end <= brings and in_last and not line_ends;
+  late_end <= brings and line_ends and not in_last;
+  early_start <= in_valid and in_start and not halt when phase = inside else '0';
+  broken <= early_end or late_end or early_start or halt when phase = inside else early_end or late_end;
+
+  in_take <= brings or drops;
+  sends <= brings or fills;
+  starts <= begins;
+  breaks <= broken;
+  error <= (drops and not lost) & early_start & late_end & early_end;
+  at_rest <= '1' when phase = idle else '0';
+
+  process (clock)
+    variable in_frame : std_logic;  -- the group that is sent belongs to a frame
+  begin
+    if rising_edge(clock) then
+      out_valid <= brings or fills;
+      out_start <= begins;
+      if brings = '1' or fills = '1' then
+        out_data <= in_data;
+      end if;
+
+      in_frame := brings;
+      if phase = filling then
+        in_frame := fills;
+      end if;
+      if in_frame = '1' then
+        column <= column + 1 when line_ends = '0' else 0;
+        if line_ends = '1' then
+          row_group <= row_group + 1 when frame_ends = '0' else 0;
+        end if;
+      end if;
+
+      if in_frame = '1' and frame_ends = '1' then
+        phase <= flushing when all_flush_groups > 0 else idle;
+        flushed <= 0;
+      elsif broken = '1' then
+        phase <= filling;
+      elsif begins = '1' then
+        phase <= inside;
+      elsif phase = flushing and fills = '1' then
+        flushed <= flushed + 1;
+        if flushed = all_flush_groups - 1 then
+          phase <= idle;
+        end if;
+      end if;
+
+      lost <= broken or (lost and not begins);
+
+      if reset = '1' then
+        phase <= idle;
+        column <= 0;
+        row_group <= 0;
+        flushed <= 0;
+        lost <= '0';
+        out_valid <= '0';
+        out_start <= '0';
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,96 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The stereo core as a block for other people's designs: AXI4-Stream in and out (stereo_axis) and registers on AXI4-Lite
+-- (stereo_registers). docs/integration.md says how to use it; scripts/instantiate.py fills in the generics.
+-- Without a processor tie the AXI4-Lite inputs to '0' and leave enabled_at_reset.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.stereo_register_map.all;
+
+entity stereo_ip is
+  generic (
+    width_px : positive;  -- W, 8 ... 4096
+    height_px : positive;  -- H
+    disparities : positive;  -- D
+    window_px : positive;  -- B
+    pixels_per_clock : positive;  -- P, 1, 2 or 4
+    disparity_bits : positive;  -- 8 or 16
+    output_width_px : positive;
+    latency_clocks : positive;
+    flush_groups : natural;
+    gap_groups : natural;
+    enabled_at_reset : boolean := true
+  );
+  port (
+    aclk : in std_logic;
+    aresetn : in std_logic;  -- synchronous, active low, one clock is enough
+    -- image pairs
+    s_axis_tvalid : in std_logic;
+    s_axis_tready : out std_logic;
+    s_axis_tdata : in std_logic_vector(16 * pixels_per_clock - 1 downto 0);
+    s_axis_tuser : in std_logic_vector(0 downto 0);
+    s_axis_tlast : in std_logic;
+    -- disparity maps
+    m_axis_tvalid : out std_logic;
+    m_axis_tready : in std_logic;
+    m_axis_tdata : out std_logic_vector(disparity_bits * pixels_per_clock + 7 downto 0);
+    m_axis_tuser : out std_logic_vector(1 downto 0);
+    m_axis_tlast : out std_logic;
+    -- registers
+    s_axil_awaddr : in std_logic_vector(address_bits - 1 downto 0);
+    s_axil_awprot : in std_logic_vector(2 downto 0);
+    s_axil_awvalid : in std_logic;
+    s_axil_awready : out std_logic;
+    s_axil_wdata : in std_logic_vector(31 downto 0);
+    s_axil_wstrb : in std_logic_vector(3 downto 0);
+    s_axil_wvalid : in std_logic;
+    s_axil_wready : out std_logic;
+    s_axil_bresp : out std_logic_vector(1 downto 0);
+    s_axil_bvalid : out std_logic;
+    s_axil_bready : in std_logic;
+    s_axil_araddr : in std_logic_vector(address_bits - 1 downto 0);
+    s_axil_arprot : in std_logic_vector(2 downto 0);
+    s_axil_arvalid : in std_logic;
+    s_axil_arready : out std_logic;
+    s_axil_rdata : out std_logic_vector(31 downto 0);
+    s_axil_rresp : out std_logic_vector(1 downto 0);
+    s_axil_rvalid : out std_logic;
+    s_axil_rready : in std_logic
+  );
+end entity;
+
+architecture rtl of stereo_ip is
+  signal enable, soft_reset, soft_reset_done, busy, frame_ends, frame_ends_broken : std_logic;
+  signal errors : std_logic_vector(4 downto 0);
+  signal frame_clocks : unsigned(31 downto 0);
+begin
+  shell : entity work.stereo_axis
+    generic map (
+      width_px => width_px, height_px => height_px, pixels_per_clock => pixels_per_clock, disparity_bits => disparity_bits,
+      latency_clocks => latency_clocks, flush_groups => flush_groups, gap_groups => gap_groups)
+    port map (
+      aclk => aclk, aresetn => aresetn,
+      s_axis_tvalid => s_axis_tvalid, s_axis_tready => s_axis_tready, s_axis_tdata => s_axis_tdata,
+      s_axis_tuser => s_axis_tuser, s_axis_tlast => s_axis_tlast,
+      m_axis_tvalid => m_axis_tvalid, m_axis_tready => m_axis_tready, m_axis_tdata => m_axis_tdata,
+      m_axis_tuser => m_axis_tuser, m_axis_tlast => m_axis_tlast,
+      enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
+      frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks);
+
+  registers : entity work.stereo_registers
+    generic map (
+      width_px => width_px, height_px => height_px, disparities => disparities, window_px => window_px,
+      pixels_per_clock => pixels_per_clock, output_width_px => output_width_px, disparity_bits => disparity_bits,
+      enabled_at_reset => enabled_at_reset)
+    port map (
+      aclk => aclk, aresetn => aresetn,
+      s_axil_awaddr => s_axil_awaddr, s_axil_awprot => s_axil_awprot, s_axil_awvalid => s_axil_awvalid,
+      s_axil_awready => s_axil_awready, s_axil_wdata => s_axil_wdata, s_axil_wstrb => s_axil_wstrb,
+      s_axil_wvalid => s_axil_wvalid, s_axil_wready => s_axil_wready, s_axil_bresp => s_axil_bresp,
+      s_axil_bvalid => s_axil_bvalid, s_axil_bready => s_axil_bready, s_axil_araddr => s_axil_araddr,
+      s_axil_arprot => s_axil_arprot, s_axil_arvalid => s_axil_arvalid, s_axil_arready => s_axil_arready,
+      s_axil_rdata => s_axil_rdata, s_axil_rresp => s_axil_rresp, s_axil_rvalid => s_axil_rvalid,
+      s_axil_rready => s_axil_rready,
+      enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
+      frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks);
+end architecture;

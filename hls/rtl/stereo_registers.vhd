@@ -1,0 +1,186 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The registers of the core on an AXI4-Lite slave of 32 bits. Their map: stereo_register_map.vhd, as a table in
+-- docs/integration.md. One transfer of each kind at a time; address and data of a write in any order. Responses are always
+-- OKAY; other addresses read 0 and ignore writes.
+--   enable, soft_reset    bits of `control`; soft_reset holds until soft_reset_done, which also clears errors and counters
+--   errors                pulses, set the sticky bits of `status`
+--   frame_ends, ..broken  a frame has left the core, and was broken; frame_clocks: how long it took
+-- Size: about 200 register bits.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.stereo_register_map.all;
+
+entity stereo_registers is
+  generic (
+    width_px : positive;
+    height_px : positive;
+    disparities : positive;
+    window_px : positive;
+    pixels_per_clock : positive;
+    output_width_px : positive;
+    disparity_bits : positive;
+    enabled_at_reset : boolean
+  );
+  port (
+    aclk : in std_logic;
+    aresetn : in std_logic;
+    s_axil_awaddr : in std_logic_vector(address_bits - 1 downto 0);
+    s_axil_awprot : in std_logic_vector(2 downto 0);
+    s_axil_awvalid : in std_logic;
+    s_axil_awready : out std_logic;
+    s_axil_wdata : in std_logic_vector(31 downto 0);
+    s_axil_wstrb : in std_logic_vector(3 downto 0);
+    s_axil_wvalid : in std_logic;
+    s_axil_wready : out std_logic;
+    s_axil_bresp : out std_logic_vector(1 downto 0);
+    s_axil_bvalid : out std_logic;
+    s_axil_bready : in std_logic;
+    s_axil_araddr : in std_logic_vector(address_bits - 1 downto 0);
+    s_axil_arprot : in std_logic_vector(2 downto 0);
+    s_axil_arvalid : in std_logic;
+    s_axil_arready : out std_logic;
+    s_axil_rdata : out std_logic_vector(31 downto 0);
+    s_axil_rresp : out std_logic_vector(1 downto 0);
+    s_axil_rvalid : out std_logic;
+    s_axil_rready : in std_logic;
+    enable : out std_logic;
+    soft_reset : out std_logic;
+    soft_reset_done : in std_logic;
+    busy : in std_logic;
+    errors : in std_logic_vector(4 downto 0);
+    frame_ends : in std_logic;
+    frame_ends_broken : in std_logic;
+    frame_clocks : in unsigned(31 downto 0)
+  );
+end entity;
+
+architecture rtl of stereo_registers is
+  subtype word is std_logic_vector(31 downto 0);
+
+  signal awake : std_logic := '0';  -- '0' in reset and in the clock after it: nothing is accepted
+  signal have_address, have_data, bvalid, rvalid : std_logic := '0';
+  signal write_address : natural range 0 to 2 ** (address_bits - 2) - 1;  -- in words
+  signal write_data : word;
+  signal write_bytes : std_logic_vector(3 downto 0);
+  signal writes : std_logic;  -- the write happens in this clock
+  signal enabled, resetting : std_logic := '0';
+  signal sticky : std_logic_vector(4 downto 0) := (others => '0');
+  signal whole_frames, broken_frames : unsigned(31 downto 0) := (others => '0');
+
+  function field(value, bits : natural) return std_logic_vector is
+  begin
+    return std_logic_vector(to_unsigned(value, bits));
+  end function;
+
+  function bit_at(value : std_logic; place : natural) return word is
+    variable bits : word := (others => '0');
+  begin
+    bits(place) := value;
+    return bits;
+  end function;
+
+  type words is array (0 to 2 ** (address_bits - 2) - 1) of word;
+  signal values : words;
+begin
+  s_axil_awready <= awake and not have_address;
+  s_axil_wready <= awake and not have_data;
+  s_axil_bvalid <= bvalid;
+  s_axil_bresp <= "00";
+  s_axil_arready <= awake and not rvalid;
+  s_axil_rvalid <= rvalid;
+  s_axil_rresp <= "00";
+  enable <= enabled;
+  soft_reset <= resetting;
+  -- An array, no case: GHDL writes Verilog for a case that synthesisers read as a latch.
+  values <= (
+    id_word => id_value,
+    version_word => version_value,
+    control_word => bit_at(enabled, control_enable) or bit_at(resetting, control_soft_reset),
+    status_word => bit_at(busy, status_busy) or
+      std_logic_vector(shift_left(resize(unsigned(sticky), 32), status_early_line_end)),
+    size_word => field(height_px, size_height_px_bits) & field(width_px, size_width_px_bits),
+    matching_word => field(pixels_per_clock, matching_pixels_per_clock_bits) & field(window_px, matching_window_px_bits) &
+      field(disparities, matching_disparities_bits),
+    map_word => x"00" & field(disparity_bits, map_disparity_bits_bits) & field(output_width_px, map_output_width_px_bits),
+    frames_word => std_logic_vector(whole_frames),
+    broken_frames_word => std_logic_vector(broken_frames),
+    frame_clocks_word => std_logic_vector(frame_clocks),
+    others => (others => '0'));
+
+  writes <= have_address and have_data and not bvalid;
+
+  reading : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      if rvalid = '1' then
+        rvalid <= not s_axil_rready;
+      elsif awake = '1' and s_axil_arvalid = '1' then
+        rvalid <= '1';
+        s_axil_rdata <= values(to_integer(unsigned(s_axil_araddr(address_bits - 1 downto 2))));
+      end if;
+      if aresetn = '0' then
+        rvalid <= '0';
+      end if;
+    end if;
+  end process;
+
+  writing : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      awake <= '1';
+      if s_axil_awvalid = '1' and awake = '1' and have_address = '0' then
+        have_address <= '1';
+        write_address <= to_integer(unsigned(s_axil_awaddr(address_bits - 1 downto 2)));
+      end if;
+      if s_axil_wvalid = '1' and awake = '1' and have_data = '0' then
+        have_data <= '1';
+        write_data <= s_axil_wdata;
+        write_bytes <= s_axil_wstrb;
+      end if;
+      if writes = '1' then
+        bvalid <= '1';
+        have_address <= '0';
+        have_data <= '0';
+      elsif s_axil_bready = '1' then
+        bvalid <= '0';
+      end if;
+      if aresetn = '0' then
+        awake <= '0';
+        have_address <= '0';
+        have_data <= '0';
+        bvalid <= '0';
+      end if;
+    end if;
+  end process;
+
+  control : process (aclk)
+    variable cleared : std_logic_vector(4 downto 0);
+  begin
+    if rising_edge(aclk) then
+      cleared := (others => '0');
+      if writes = '1' and write_address = control_word and write_bytes(0) = '1' then
+        enabled <= write_data(control_enable);
+        resetting <= resetting or write_data(control_soft_reset);
+      elsif writes = '1' and write_address = status_word and write_bytes(1) = '1' then
+        cleared := write_data(status_core_fault downto status_early_line_end);
+      end if;
+      -- An error of the very clock in which its bit is cleared stays.
+      sticky <= (sticky and not cleared) or errors;
+      if frame_ends = '1' and frame_ends_broken = '1' then
+        broken_frames <= broken_frames + 1;
+      elsif frame_ends = '1' then
+        whole_frames <= whole_frames + 1;
+      end if;
+      if aresetn = '0' or soft_reset_done = '1' then
+        resetting <= '0';
+        sticky <= (others => '0');
+        broken_frames <= (others => '0');
+        whole_frames <= (others => '0');
+      end if;
+      if aresetn = '0' then
+        enabled <= '1' when enabled_at_reset else '0';
+      end if;
+    end if;
+  end process;
+end architecture;

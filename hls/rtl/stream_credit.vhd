@@ -1,0 +1,72 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Lets a group into a core without back-pressure only when the queue behind the core has room for what may come of it.
+-- A group borrows one of `words` credits. The credit comes back `latency` clocks later when no disparity came of the
+-- group, else when that disparity has left the queue.
+--   sends      a group is decided on; allowed while may_send is '1'. It enters the core one clock later.
+--   result     the core shows a disparity: `latency` clocks after its group entered
+--   taken      a disparity leaves the queue
+--   may_send   from a register
+--   in_flight  groups are in the core that may still give a disparity
+--   all_back   no credit is out: nothing in the core that may give a disparity, nothing in the queue
+--   stray      a disparity came in a clock where none can: `latency` is not that of the core
+-- A credit is away latency + 4 clocks when nothing waits (one to enter the core, `latency` in it, two in the queue, one
+-- to count), so as many credits give a group a clock.
+-- Size: latency + 1 register bits and a counter of 0 ... words.
+library ieee;
+use ieee.std_logic_1164.all;
+
+entity stream_credit is
+  generic (
+    words : positive;
+    latency : positive
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;
+    sends : in std_logic;
+    result : in std_logic;
+    taken : in std_logic;
+    may_send : out std_logic;
+    in_flight : out std_logic;
+    all_back : out std_logic;
+    stray : out std_logic
+  );
+end entity;
+
+architecture rtl of stream_credit is
+  signal flight : std_logic_vector(0 to latency) := (others => '0');  -- flight(k): entered the core k clocks ago
+  signal lent : natural range 0 to words := 0;
+begin
+  in_flight <= or flight;
+  all_back <= '1' when lent = 0 else '0';
+  stray <= result and not flight(latency);
+
+  process (clock)
+    variable lent_after : integer range -2 to words + 1;
+  begin
+    if rising_edge(clock) then
+      lent_after := lent;
+      if sends = '1' then
+        lent_after := lent_after + 1;
+      end if;
+      if flight(latency) = '1' and result = '0' then
+        lent_after := lent_after - 1;
+      end if;
+      if taken = '1' then
+        lent_after := lent_after - 1;
+      end if;
+      lent <= lent_after;
+      if lent_after < words then
+        may_send <= '1';
+      else
+        may_send <= '0';
+      end if;
+      flight <= sends & flight(0 to latency - 1);
+      if reset = '1' then
+        flight <= (others => '0');
+        lent <= 0;
+        may_send <= '0';
+      end if;
+    end if;
+  end process;
+end architecture;

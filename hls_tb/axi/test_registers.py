@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""stereo_ip in GHDL under cocotb: registers, alone and while frames run."""
+
+import cocotb
+from bench import Bench
+from cocotb.triggers import ClockCycles, RisingEdge
+from cocotb.utils import get_sim_time
+from flow import registers
+from flow.axi import script
+from flow.axi.broken import beats_of
+from flow.axi.contract import LAST, RESULT_ERROR, expect
+
+
+def a_frame(bench):
+    return beats_of(bench.random.choice(bench.pool), bench.geometry)
+
+
+@cocotb.test()
+async def identification_and_configuration(dut):
+    bench = await Bench(dut, "identification").start()
+    major, minor, patch = registers.VERSION
+    assert await bench.read("id") == registers.ID
+    assert await bench.read("version") == major << 16 | minor << 8 | patch
+    for register in ("size", "matching", "map"):
+        for field in bench.map[register]["fields"]:
+            assert await bench.field(register, field) == bench.parameters[field], field
+    assert await bench.read("control") == 1
+    for name in ("status", "frames", "broken_frames", "frame_clocks"):
+        assert await bench.read(name) == 0, name
+    for offset in range(max(entry["offset"] for entry in bench.map.values()) + 4, 1 << registers.address_bits(), 4):
+        assert (await bench.axil.read(offset, 4)).data == bytes(4)
+
+
+@cocotb.test()
+async def read_only_registers_keep_their_values(dut):
+    bench = await Bench(dut, "read only").start()
+    before = {name: await bench.read(name) for name in bench.map}
+    for name in bench.map:
+        if name not in ("control", "status"):
+            await bench.write(name, 0xFFFFFFFF)
+    await bench.axil.write(60, b"\xff\xff\xff\xff")
+    assert {name: await bench.read(name) for name in bench.map} == before
+
+
+@cocotb.test()
+async def counters_and_clocks(dut):
+    """The same number of clocks a frame as the co-simulation of the core alone measures."""
+    bench = await Bench(dut, "counters").start()
+    core_clocks = int(bench.parameters["clocks_of_one_frame"])
+    for count in (1, 2, 3):
+        await bench.play(script.send(a_frame(bench)))
+        assert await bench.read("frames") == count
+        assert await bench.read("frame_clocks") == core_clocks
+    await bench.play(script.send(a_frame(bench)[:5] + a_frame(bench)))
+    assert (await bench.read("frames"), await bench.read("broken_frames")) == (4, 1)
+    await bench.play(script.send(a_frame(bench) + a_frame(bench)))
+    assert await bench.read("frames") == 6
+    assert await bench.read("frame_clocks") == core_clocks
+    bench.rates(40, 40)
+    await bench.play(script.send(a_frame(bench)))
+    assert await bench.read("frame_clocks") > core_clocks
+    bench.judge()
+
+
+@cocotb.test()
+async def enable(dut):
+    """Off: the frame in progress is finished, the next one waits. On again: it comes, exact."""
+    bench = await Bench(dut, "enable").start()
+    bench.send(a_frame(bench) + a_frame(bench))
+    await ClockCycles(dut.aclk, bench.geometry.groups // 2)
+    await bench.write("control", 0)
+    assert await bench.read("control") == 0
+    await ClockCycles(dut.aclk, 3 * bench.geometry.groups)
+    assert len(bench.watch.segments[-1][1]) == bench.geometry.results
+    assert await bench.read("frames") == 1
+    assert not bench.source.idle()
+    await bench.write("control", 1)
+    await bench.quiet()
+    assert bench.judge().exact_frames == 2
+    assert await bench.read("status") == 0
+
+
+@cocotb.test()
+async def errors_are_sticky_and_cleared_one_by_one(dut):
+    bench = await Bench(dut, "sticky").start()
+    beats = a_frame(bench)
+    broken = [(beats[0][0], beats[0][1] | LAST)]  # early end of line
+    wrong_start = beats[:3]
+    late = beats[: bench.geometry.columns - 1] + [(0, 0), (0, LAST)]
+    await bench.play(script.send([(1, LAST)] + broken + wrong_start + late + a_frame(bench)))
+    bench.judge()
+    fields = bench.map["status"]["fields"]
+    names = sorted(expect(bench.watch.segments[-1][0], bench.geometry).errors)
+    assert names == ["early_line_end", "early_start", "late_line_end", "outside_frame"]
+    all_bits = sum(1 << fields[name]["low"] for name in names)
+    assert await bench.read("status") == all_bits
+    await bench.write("control", 1)
+    await bench.axil.write(bench.map["status"]["offset"], b"\xff")  # not the byte of the errors
+    await bench.write("status", 0xFFFFFFFF & ~all_bits)
+    assert await bench.read("status") == all_bits
+    for name in names:
+        await bench.write("status", 1 << fields[name]["low"])
+        all_bits &= ~(1 << fields[name]["low"])
+        assert await bench.read("status") == all_bits
+    await bench.play(script.send([(1, LAST)]))
+    assert await bench.read("status") == 1 << fields["outside_frame"]["low"]
+
+
+@cocotb.test()
+async def byte_strobes(dut):
+    bench = await Bench(dut, "strobes").start()
+    await bench.axil.write(bench.map["control"]["offset"] + 1, b"\x00\x00\x00")
+    assert await bench.read("control") == 1
+    await bench.axil.write(bench.map["control"]["offset"], b"\x00")
+    assert await bench.read("control") == 0
+
+
+@cocotb.test()
+async def busy(dut):
+    bench = await Bench(dut, "busy").start()
+    assert await bench.field("status", "busy") == 0
+    beats = a_frame(bench)
+    bench.send(beats[: bench.geometry.columns])
+    await bench.quiet()
+    assert await bench.field("status", "busy") == 1, "a frame has begun"
+    bench.send(beats[bench.geometry.columns :])
+    await bench.sent()
+    assert await bench.field("status", "busy") == 1
+    await bench.quiet()
+    assert await bench.field("status", "busy") == 0
+    bench.sink.pause = True
+    bench.send(a_frame(bench))
+    await ClockCycles(dut.aclk, 3 * bench.geometry.groups)
+    assert await bench.field("status", "busy") == 1, "disparities wait"
+    bench.sink.pause = False
+    await bench.quiet()
+    assert await bench.read("status") == 0
+    bench.judge()
+
+
+@cocotb.test()
+async def traffic_during_frames(dut):
+    """Reads and writes without pause while frames run: neither side disturbs the other."""
+    bench = await Bench(dut, "traffic").start()
+    bench.rates(20, 20)
+    for percent, channel in zip((30, 60, 40, 50, 70), (bench.axil.write_if.aw_channel, bench.axil.write_if.w_channel,
+                                bench.axil.write_if.b_channel, bench.axil.read_if.ar_channel, bench.axil.read_if.r_channel)):
+        generator = bench.random.__class__(percent)
+        channel.set_pause_generator(iter(lambda g=generator, p=percent: g.random() * 100 < p, None))
+    running = cocotb.start_soon(bench.play(script.frames(bench.random, bench.pool, bench.geometry, 6)))
+    accesses = 0
+    while not running.done():
+        assert await bench.read("id") == registers.ID
+        await bench.write("control", 1)
+        await bench.write("status", 0xFFFFFFFF)
+        assert await bench.field("size", "width_px") == bench.parameters["width_px"]
+        accesses += 4
+    assert accesses > 50
+    assert bench.judge().exact_frames == 6
+    assert await bench.read("frames") == 6
+
+
+async def soft_reset_at(bench, clocks):
+    """Sends two frames and asks for a soft reset some clocks later; returns when it is done."""
+    bench.send(a_frame(bench) + a_frame(bench))
+    await ClockCycles(bench.dut.aclk, clocks)
+    await bench.write("control", 3)
+    while await bench.read("control") != 1:
+        pass
+    assert await bench.read("frames") == await bench.read("broken_frames") == 0
+    assert await bench.read("status") & ~1 == 0
+
+
+@cocotb.test()
+async def soft_reset(dut):
+    """At random clocks of frames and gaps: each frame that has begun still comes whole, the one that was cut with the mark; no
+    beat of m_axis is withdrawn; the next frame is exact."""
+    bench = await Bench(dut, "soft reset").start()
+    size, cut = bench.geometry.results, 0
+    for _ in range(10):
+        results = bench.watch.segments[-1][1]
+        before = len(results)
+        bench.rates(bench.random.choice((0, 30)), bench.random.choice((0, 30)))
+        await soft_reset_at(bench, bench.random.randrange(1, 2 * bench.geometry.groups))
+        await bench.quiet()
+        bench.send(a_frame(bench))
+        await bench.quiet()
+        parts = [results[first : first + size] for first in range(before, len(results), size)]
+        assert len(parts[-1]) == size, "a frame ended too soon"
+        marks = [bool(part[-1][1] & RESULT_ERROR) for part in parts]
+        assert sum(marks) <= 1 and not marks[-1]
+        cut += sum(marks)
+        maps = {frame.results for frame in bench.pool}
+        for part, marked in zip(parts, marks):
+            flags = [beat[1] & ~RESULT_ERROR for beat in part]
+            width = bench.geometry.result_columns
+            assert flags == [(i == 0) | 4 * (i % width == width - 1) for i in range(size)]
+            assert marked or tuple(beat[0] for beat in part) in maps, "a frame without mark is not exact"
+            assert marked or not any(beat[1] & RESULT_ERROR for beat in part)
+        await bench.write("status", 0xFFFFFFFF)
+    assert cut >= 3
+    assert not bench.watch.breaches, bench.watch.breaches
+
+
+@cocotb.test()
+async def soft_reset_keeps_enable(dut):
+    bench = await Bench(dut, "soft reset, enable").start()
+    await bench.write("control", 2)
+    await ClockCycles(dut.aclk, 4)
+    assert await bench.read("control") == 0
+    bench.send(a_frame(bench))
+    await ClockCycles(dut.aclk, bench.geometry.groups)
+    assert not bench.watch.segments[-1][1]
+    await bench.write("control", 1)
+    await bench.quiet()
+    assert bench.judge().exact_frames == 1
+
+
+@cocotb.test()
+async def reset_in_the_middle_of_an_access(dut):
+    bench = await Bench(dut, "reset of registers").start()
+    await bench.write("control", 0)
+    dut.aresetn.value = 0
+    await ClockCycles(dut.aclk, 1)
+    dut.aresetn.value = 1
+    await RisingEdge(dut.aclk)
+    assert await bench.read("control") == 1, f"at {get_sim_time('ns')} ns"

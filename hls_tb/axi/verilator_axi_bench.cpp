@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plays a stream of scripts/flow/axi/script.py into stereo_ip and writes down every beat of m_axis. It judges nothing but
+// the protocol: contract.py compares.
+//   bench STREAM OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]
+// OBSERVED: "o DATA FLAGS CLOCK" for each beat (flags: 1 start of frame, 2 frame error, 4 end of line), "r" at a reset,
+// "p SENTENCE" for a breach of the protocol, then "end CLOCKS" or "hang CLOCK".
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <random>
+
+#include "Vstereo_ip.h"
+#include "verilated.h"
+#if VM_TRACE
+#include "verilated_fst_c.h"
+#endif
+
+namespace {
+
+constexpr long kHangClocks = 200000;  // without a beat on either side while beats wait; the sink takes 1 in 10 at least
+constexpr long kProgressClocks = 20000;
+
+static_assert(sizeof(Vstereo_ip::m_axis_tdata) <= 8, "this bench takes beats of at most 64 bits");
+
+/// Ports are as wide as the beats of the configuration.
+template <class Port>
+void drive(Port& port, uint64_t value) {
+   port = static_cast<Port>(value);
+}
+
+class Bench {
+  public:
+   Bench(std::FILE* observed, unsigned seed, int argc, char** argv) : observed_(observed), random_(seed) {
+#if VM_TRACE
+      if (argc == 6) {
+         Verilated::traceEverOn(true);
+         first_clock_ = std::atol(argv[4]), last_clock_ = std::atol(argv[5]);
+         wave_ = std::make_unique<VerilatedFstC>();
+         model_.trace(wave_.get(), 99);
+         wave_->open(argv[3]);
+      }
+#else
+      (void)argc, (void)argv;
+#endif
+      model_.s_axil_awvalid = model_.s_axil_wvalid = model_.s_axil_arvalid = 0;
+      model_.s_axil_bready = model_.s_axil_rready = 1;
+      reset(2);
+   }
+   ~Bench() {
+#if VM_TRACE
+      if (wave_) wave_->close();
+#endif
+   }
+
+   void set_rates(int source, int sink) { source_percent_ = source, sink_percent_ = sink; }
+
+   /// Offers a beat until it is taken.
+   void send(uint64_t data, int flags) {
+      while (chance(source_percent_)) idle(1);
+      model_.s_axis_tvalid = 1;
+      drive(model_.s_axis_tdata, data);
+      model_.s_axis_tuser = flags & 1;
+      model_.s_axis_tlast = flags >> 1 & 1;
+      while (!clock()) {}
+      model_.s_axis_tvalid = 0;
+      garbage();
+   }
+   void idle(long clocks) {
+      while (clocks-- > 0) clock();
+   }
+   void drain(long quiet_clocks) {
+      while (clock_ - last_beat_ < quiet_clocks) clock();
+   }
+   void reset(long clocks) {
+      std::fprintf(observed_, "r\n");
+      model_.aresetn = 0;
+      model_.s_axis_tvalid = 0;
+      waiting_ = false;
+      while (clocks-- > 0) clock();
+      model_.aresetn = 1;
+      last_beat_ = clock_;
+   }
+   long clocks() const { return clock_; }
+
+  private:
+   bool chance(int percent) { return percent > 0 && int(random_() % 100) < percent; }
+   void garbage() {
+      drive(model_.s_axis_tdata, random_());
+      model_.s_axis_tuser = random_() & 1;
+      model_.s_axis_tlast = random_() & 1;
+   }
+   int flags() const { return model_.m_axis_tuser | model_.m_axis_tlast << 2; }
+
+   /// One clock; true when a beat of s_axis was taken.
+   bool clock() {
+      model_.m_axis_tready = !chance(sink_percent_);
+      model_.aclk = 0;
+      model_.eval();
+      dump(0);
+      check_protocol();
+      const bool taken = model_.aresetn && model_.s_axis_tvalid && model_.s_axis_tready;
+      const bool given = model_.aresetn && model_.m_axis_tvalid && model_.m_axis_tready;
+      if (given)
+         std::fprintf(observed_, "o %llx %d %ld\n", static_cast<unsigned long long>(model_.m_axis_tdata), flags(), clock_);
+      if (taken || given) last_beat_ = clock_;
+      model_.aclk = 1;
+      model_.eval();
+      dump(1);
+      if (++clock_ % kProgressClocks == 0) std::printf("progress %ld\n", clock_), std::fflush(stdout);
+      if (model_.s_axis_tvalid && clock_ - last_beat_ > kHangClocks) {
+         std::fprintf(observed_, "hang %ld\n", clock_);
+         std::fclose(observed_);
+         std::exit(0);
+      }
+      return taken;
+   }
+
+   /// A beat that is offered stays as it is until it is taken; nothing is offered or taken in reset.
+   void check_protocol() {
+      const bool valid = model_.m_axis_tvalid;
+      if (waiting_ && (!valid || model_.m_axis_tdata != data_ || flags() != flags_))
+         std::fprintf(observed_, "p m_axis changed before it was taken, clock %ld\n", clock_);
+      waiting_ = model_.aresetn && valid && !model_.m_axis_tready;
+      data_ = model_.m_axis_tdata;
+      flags_ = flags();
+      if (!model_.aresetn && was_reset_ && (valid || model_.s_axis_tready))
+         std::fprintf(observed_, "p m_axis_tvalid or s_axis_tready in reset, clock %ld\n", clock_);
+      was_reset_ = !model_.aresetn;
+   }
+
+   void dump([[maybe_unused]] int phase) {
+#if VM_TRACE
+      if (wave_ && clock_ >= first_clock_ && clock_ <= last_clock_) wave_->dump(static_cast<vluint64_t>(10 * clock_ + 5 * phase));
+#endif
+   }
+
+   Vstereo_ip model_;
+   std::FILE* observed_;
+   std::mt19937 random_;
+   int source_percent_ = 0, sink_percent_ = 0;
+   long clock_ = 0, last_beat_ = 0;
+   bool waiting_ = false, was_reset_ = false;
+   uint64_t data_ = 0;
+   int flags_ = 0;
+#if VM_TRACE
+   std::unique_ptr<VerilatedFstC> wave_;
+   long first_clock_ = 0, last_clock_ = 0;
+#endif
+};
+
+void play(std::FILE* stream, Bench& bench) {
+   constexpr long kQuietClocks = 5000;
+   char kind;
+   unsigned long long first = 0;
+   long second = 0;
+   while (std::fscanf(stream, " %c", &kind) == 1) {
+      if (kind == 'b' && std::fscanf(stream, "%llx %ld", &first, &second) == 2) bench.send(first, int(second));
+      else if (kind == 'p' && std::fscanf(stream, "%llu %ld", &first, &second) == 2) bench.set_rates(int(first), int(second));
+      else if (kind == 'i' && std::fscanf(stream, "%ld", &second) == 1) bench.idle(second);
+      else if (kind == 'r' && std::fscanf(stream, "%ld", &second) == 1) bench.reset(second);
+      else if (kind == 'd') bench.drain(kQuietClocks);
+      else std::fprintf(stderr, "bad step '%c'\n", kind), std::exit(2);
+   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+   if (argc != 3 && argc != 6) {
+      std::fprintf(stderr, "usage: bench STREAM OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]\n");
+      return 2;
+   }
+   std::FILE* stream = std::fopen(argv[1], "r");
+   std::FILE* observed = std::fopen(argv[2], "w");
+   unsigned seed = 0;
+   if (!stream || !observed || std::fscanf(stream, "stereo-hls stream 1 seed=%u", &seed) != 1) {
+      std::fprintf(stderr, "cannot open or read %s\n", stream ? argv[2] : argv[1]);
+      return 2;
+   }
+   Bench bench(observed, seed, argc, argv);
+   play(stream, bench);
+   std::fprintf(observed, "end %ld\n", bench.clocks());
+   return std::fclose(observed) == 0 ? 0 : 1;
+}

@@ -1,0 +1,82 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- To be proved: `bad` is '0' for ever. In front of a core that answers each group after `latency` clocks or not at all,
+-- whichever it likes, and a queue whose reader takes words when it likes, stream_credit never lets the queue get more words
+-- than it has room for, counts no stray result, and lets a group in whenever words are free.
+library ieee;
+use ieee.std_logic_1164.all;
+
+entity prove_stream_credit is
+  generic (
+    words : positive := 4;
+    latency : positive := 2
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;
+    wants_in : in std_logic;
+    answers : in std_logic;
+    out_ready : in std_logic;
+    bad : out std_logic
+  );
+end entity;
+
+architecture proof of prove_stream_credit is
+  signal may_send, sends, result, taken, in_flight, all_back, stray, begun, was_reset : std_logic := '0';
+  signal flight : std_logic_vector(0 to latency) := (others => '0');
+  signal queued : natural range 0 to words := 0;
+  signal out_valid : std_logic;
+
+  function ones(bits : std_logic_vector) return natural is
+    variable count : natural range 0 to bits'length := 0;
+  begin
+    for place in bits'range loop
+      if bits(place) = '1' then
+        count := count + 1;
+      end if;
+    end loop;
+    return count;
+  end function;
+begin
+  sends <= wants_in and may_send;
+  result <= flight(latency) and answers;
+  out_valid <= '1' when queued > 0 else '0';
+  taken <= out_valid and out_ready;
+
+  dut : entity work.stream_credit
+    generic map (words => words, latency => latency)
+    port map (
+      clock => clock, reset => reset, sends => sends, result => result, taken => taken, may_send => may_send,
+      in_flight => in_flight, all_back => all_back, stray => stray);
+
+  process (all)
+  begin
+    bad <= stray;
+    if result = '1' and queued = words then
+      bad <= '1';
+    end if;
+    if may_send = '0' and queued + ones(flight) < words and was_reset = '0' and begun = '1' then
+      bad <= '1';
+    end if;
+    if (all_back = '1') /= (queued + ones(flight) = 0) or (in_flight = '1') /= (ones(flight) > 0) then
+      bad <= '1';
+    end if;
+  end process;
+
+  process (clock)
+  begin
+    if rising_edge(clock) then
+      begun <= '1';
+      was_reset <= reset;
+      flight <= sends & flight(0 to latency - 1);
+      if result = '1' and taken = '0' and queued < words then
+        queued <= queued + 1;
+      elsif result = '0' and taken = '1' then
+        queued <= queued - 1;
+      end if;
+      if reset = '1' then
+        flight <= (others => '0');
+        queued <= 0;
+      end if;
+    end if;
+  end process;
+end architecture;

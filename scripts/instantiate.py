@@ -1,0 +1,35 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes the VHDL that puts stereo_ip into a design: an entity without generics for one configuration, or only its instance."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import manifest  # noqa: E402
+from flow.axi import design, template  # noqa: E402
+from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.tools import GENERATED_RTL  # noqa: E402
+
+
+def main():
+    parser = ArgumentParser(prog="instantiate.py", description=__doc__)
+    parser.add_argument("--config", required=True, help="named configuration of generated_rtl/")
+    parser.add_argument("--instance", action="store_true", help="only the instance, to be pasted")
+    parser.add_argument("--out", type=Path, help="file to write (default: standard output)")
+    options = parser.parse_args()
+    manifest.read(GENERATED_RTL / options.config)
+    values = design.generics(options.config)
+    text = template.instance(values, "stereo") + "\n" if options.instance else template.entity(options.config, values)
+    if options.out is None:
+        print(text, end="")
+        return 0
+    try:
+        options.out.write_text(text)
+    except OSError as error:
+        raise FlowError(f"cannot write {options.out}: {error.strerror}") from None
+    return 0
+
+
+if __name__ == "__main__":
+    run_command(main)

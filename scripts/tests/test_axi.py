@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""stereo_ip against the C++ core: the short run of scripts/verify_axi.py, and faults that it must find."""
+
+import json
+import re
+import xml.etree.ElementTree as xml
+
+import pytest
+from flow.axi import cocotb_runs, design, judge, pool, script, verilated
+from flow.axi.broken import beats_of
+from flow.errors import EXIT_MISSING_TOOL, FlowError
+from flow.tools import configuration
+from flow_commands import call, refused
+
+
+@pytest.fixture(scope="module")
+def cocotb():
+    try:
+        return cocotb_runs.environment_folder()
+    except FlowError as error:
+        assert error.exit_code == EXIT_MISSING_TOOL
+        pytest.skip(f"SKIP: cocotb: {error}")
+
+
+def test_short_run_in_verilator(ghdl, verilator, tmp_path):
+    process = call("verify_axi.py", "--short", "--simulator", "verilator", "--out", tmp_path)
+    assert process.returncode == 0, process.stdout + process.stderr
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert report["failed"] == 0 and report["broken_stream_cases"] >= 20
+    assert all(count >= 20 for count in report["exact_frames"].values())
+
+
+def test_short_run_in_ghdl(ghdl, cocotb, tmp_path):
+    process = call("verify_axi.py", "--short", "--simulator", "ghdl", "--seed", 5, "--out", tmp_path)
+    assert process.returncode == 0, process.stdout + process.stderr
+    assert "seed 5" in process.stdout.splitlines()[-1]
+    suites = xml.parse(tmp_path / "junit.xml").getroot()
+    assert sum(int(suite.get("tests")) for suite in suites) > 25
+    assert all(suite.get("failures") == "0" for suite in suites)
+
+
+FAULTS = {
+    "a beat changes while it waits": ("stream_fifo", r"\(shows = '0' or out_ready = '1'\)", "true", "changed before it was taken"),
+    "the shell takes no more beats": ("stream_credit", r"lent_after := lent_after - 1;", "null;", "not taken for ever"),
+    "one credit less": ("stereo_axis", r"latency_clocks \+ 4;", "latency_clocks + 3;", "clocks a frame instead of"),
+    "a partial frame is not marked": ("stereo_frames", r"broken\(0\) <= breaks;", "broken(0) <= '0';", "its last beat does not say so"),
+}
+
+
+def altered_shell(folder, file, pattern, replacement):
+    """A copy of the hand-written VHDL with the first place that matches changed."""
+    folder.mkdir()
+    for path in design.shell_files():
+        text = path.read_text()
+        if path.stem == file:
+            text, count = re.subn(pattern, replacement, text, count=1)
+            assert count == 1, f"{file}.vhd has no '{pattern}'"
+        (folder / path.name).write_text(text)
+    return design.vhdl_files("tiny", shell=folder)
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
+    file, pattern, replacement, word = FAULTS[fault]
+    parameters = configuration("tiny")
+    geometry = pool.Geometry.of(parameters)
+    frames = pool.make_pool("tiny", parameters, 2, 1, tmp_path / "pool")
+    simulation = verilated.Verilated("tiny", tmp_path / "model", altered_shell(tmp_path / "rtl", file, pattern, replacement))
+    simulation.build()
+    full = script.send([beat for frame in frames for beat in beats_of(frame, geometry)])
+    observation = simulation.play([*full, ("drain",)], 1, tmp_path / "full")
+    starts = [clock for _, flags, clock in observation.segments[-1] if flags & 1]
+    problems = [f"{b - a} clocks a frame instead of {geometry.groups}" for a, b in zip(starts, starts[1:]) if b - a != geometry.groups]
+    half = script.broken(rng, frames, geometry, "half a frame")
+    # One frame between them: the broken ones stand in both of the shell's places for a frame.
+    steps = [*half, *script.frames(rng, frames, geometry, 1), *half, ("rates", 20, 60), *script.mixture(rng, frames, geometry, 10)]
+    problems += judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "mixture"), geometry, frames).problems
+    assert any(word in problem for problem in problems), problems[:5]
+
+
+def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
+    file, pattern, replacement, word = FAULTS["a beat changes while it waits"]
+    simulation = cocotb_runs.Ghdl("tiny", tmp_path / "work", altered_shell(tmp_path / "rtl", file, pattern, replacement))
+    simulation.build()
+    results = simulation.run("test_stereo_ip", 1, tmp_path / "out", ["full_speed", "stalls_0_50"])
+    assert [(result.name, result.passed) for result in results] == [("full_speed", True), ("stalls_0_50", False)]
+    assert word in (tmp_path / "out" / "test_stereo_ip.log").read_text()
+
+
+def test_replay_of_one_chunk(ghdl, verilator, tmp_path):
+    """The same seed gives the same stream and the same beats in the same clocks."""
+    texts = []
+    for folder in ("a", "b"):
+        process = call("verify_axi.py", "--config", "tiny", "--frames", 60, "--chunk", 1, "--seed", 9, "--simulator", "verilator", "--out", tmp_path / folder)
+        assert process.returncode == 0, process.stdout + process.stderr
+        texts.append((tmp_path / folder / "verilator tiny" / "mixture_1" / "observed.txt").read_text())
+    assert texts[0] == texts[1]
+
+
+@pytest.mark.parametrize("options, words", [
+    (["--config", "nonsense"], ["unknown configuration"]),
+    (["--frames", "3"], ["needs --config"]),
+    (["--chunk", "1"], ["needs one --config"]),
+    (["--seed", "-1"], ["--seed must be 0 or more"]),
+])
+def test_bad_options(options, words):
+    refused(call("verify_axi.py", *options), 2, *words)

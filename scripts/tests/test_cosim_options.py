@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Co-simulation of every option of the algorithm: model == core (hls_tb/stereo_core_options_test.cpp) == VHDL (here)."""
+
+import pytest
+from flow import manifest
+from flow.families import OPTION, SYSTEM, family, keeps_vhdl
+from flow.tools import GENERATED_RTL, configurations
+from flow_commands import cosim, random_pair, report, scene
+
+TABLE = configurations()
+OPTIONS = sorted(name for name in TABLE if family(name) == OPTION)
+SYSTEMS = sorted(name for name in TABLE if family(name) == SYSTEM)
+
+
+def passed(process, out, config, frames):
+    assert process.returncode == 0, process.stdout + process.stderr
+    result, parameters = report(out), TABLE[config]
+    outputs = frames * parameters["output_width_px"] * parameters["output_height_px"] // parameters["pixels_per_clock"]
+    assert (result["expected"], result["compared"], result["mismatches"]) == (outputs, outputs, 0)
+    return result
+
+
+def test_there_are_enough_parameter_sets():
+    """Among them wide ranges, even windows, several rows at once."""
+    assert len(OPTIONS) >= 30
+    assert any(p["disparities"] > 0.8 * p["width_px"] for p in TABLE.values())
+    assert any(p["window_px"] % 2 == 0 for p in map(TABLE.get, OPTIONS))
+    assert {p["pixels_per_clock"] for p in map(TABLE.get, OPTIONS)} == {1, 2, 4}
+
+
+@pytest.mark.parametrize("config", OPTIONS)
+def test_full_speed_with_ties(ghdl, tmp_path, config):
+    """Few grey levels: ties, flat and saturated windows everywhere. Two frames as close as they may be."""
+    pair = random_pair(tmp_path / "pair", config, levels=2)
+    result = passed(cosim(config, pair, tmp_path / "out", "--frames", 2), tmp_path / "out", config, 2)
+    parameters = TABLE[config]
+    frame = parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"]
+    assert result["clocks_per_frame"] == frame + parameters["gap_groups"]
+    assert result["latency_clocks"] == parameters["latency_clocks"]
+
+
+@pytest.mark.parametrize("config", OPTIONS)
+def test_bubbles_on_a_scene(ghdl, tmp_path, config):
+    process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--frames", 2, "--stall-percent", 30)
+    passed(process, tmp_path / "out", config, 2)
+
+
+@pytest.mark.parametrize("config", SYSTEMS)
+def test_whole_frame_of_a_system(verilator, tmp_path, config):
+    if not (GENERATED_RTL / config / "stereo_core.vhd").is_file():
+        assert not keeps_vhdl(config)
+        pytest.skip(f"SKIP: the repository does not keep the VHDL of {config}; scripts/synthesize.py --config {config} makes it, with Bambu")
+    if manifest.stale_reasons(config, TABLE[config]):
+        pytest.skip(f"SKIP: the VHDL of {config} is of older sources")
+    process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
+    passed(process, tmp_path / "out", config, 1)

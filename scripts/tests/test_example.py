@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The example for an ECP5 board goes through place and route."""
+
+import os
+
+import pytest
+from flow import manifest, nextpnr
+from flow.errors import FlowError
+from flow.tools import GENERATED_RTL
+from flow_commands import call
+
+
+def test_example_meets_its_clock(ghdl, yosys, tmp_path):
+    try:
+        nextpnr.find_nextpnr()
+    except FlowError as error:
+        pytest.skip(f"SKIP: {error}")
+    process = call("build_example.py", "--out", tmp_path / "example")
+    assert process.returncode == 0, process.stdout + process.stderr
+    # Fewer flip-flops than registers in the core would be an example that was optimised away.
+    flip_flops = int(process.stdout.rpartition(" LUT sites, ")[2].split()[0])
+    assert flip_flops > 0.95 * manifest.read(GENERATED_RTL / "tiny")["tool_report"]["register_bits"]
+    assert os.path.getsize(tmp_path / "example" / "example.bit") > 100_000

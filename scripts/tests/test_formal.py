@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The stream blocks of the shell are proved for all inputs, and the proofs can fail."""
+
+import pytest
+from conftest import need
+from flow import formal
+
+
+@pytest.fixture
+def abc():
+    return need("yosys-abc", "YOSYS_ABC")
+
+
+@pytest.mark.parametrize("proof", formal.PROOFS, ids=lambda proof: proof.name.replace(" ", "-"))
+def test_proof(ghdl, yosys, abc, tmp_path, proof):
+    assert formal.prove(proof, tmp_path) == ("proved", "")
+
+
+FAULTS = {
+    "a word is lost": ("stream_register", "elsif arrives = '1' then\n        spare_data", "elsif false then\n        spare_data"),
+    "the order is changed": ("stream_register", "main_data <= spare_data;", "main_data <= in_data;"),
+    "a reset leaves a word": ("stream_register", "spare_valid <= '0';", "null;"),
+    "a word comes twice": ("stream_fifo", "read_address <= following(read_address);", "null;"),
+    "a word is written over": ("stream_fifo", "return address + 1;", "return address;"),
+    "a word stays in the memory": ("stream_fifo", "stored /= 0 and", "stored > 1 and"),
+    "a beat changes while it waits": ("stream_fifo", "(shows = '0' or out_ready = '1')", "true"),
+    "one credit too many": ("stream_credit", "if lent_after < words then", "if lent_after < words + 1 then"),
+    "a credit is lost": ("stream_credit", "if flight(latency) = '1' and result = '0' then", "if flight(latency) = '1' and result = '1' then"),
+    "a credit comes back early": ("stream_credit", "if flight(latency) = '1' and result = '0' then", "if flight(latency) = '1' then"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_fault_is_refuted(ghdl, yosys, abc, tmp_path, fault):
+    block, old, new = FAULTS[fault]
+    text = (formal.RTL / f"{block}.vhd").read_text()
+    assert old in text
+    (tmp_path / f"{block}.vhd").write_text(text.replace(old, new, 1))
+    proofs = [proof for proof in formal.PROOFS if proof.block == block]
+    outcomes = [formal.prove(proof, tmp_path / proof.name, tmp_path)[0] for proof in proofs]
+    assert "refuted" in outcomes, outcomes
