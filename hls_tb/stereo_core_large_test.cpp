@@ -1,37 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole core at sizes and disparity ranges beyond those of the small and the named ones.
-#include <cstdlib>
-#include <filesystem>
-
-#include "app/images.hpp"
-#include "models/scene.hpp"
-#include "stereo_core.hpp"
-#include "support/map_compare.hpp"
+#include "support/expect_reference.hpp"
 #include "support/seed.hpp"
 #include "support/test_configs.hpp"
 #include "support/test_pairs.hpp"
-#include "vectors/matching_parameters.hpp"
-#include "vectors/run_core.hpp"
 
 namespace stereo::test {
 namespace {
-
-template <const StereoConfig& C>
-DisparityMap core_map(const ImagePair& pair, int stall_percent = 0) {
-   StimulusWriter writer(C.pixels_per_clock, stall_percent, test_seed());
-   writer.rows(pair, {0, C.height_px});
-   writer.flush(C);
-   writer.drain(StereoCore<C>::kLatency);
-   const auto maps = collect_frames(run_core<C>(writer.clocks), C);
-   EXPECT_EQ(maps.size(), 1u);
-   return maps.empty() ? DisparityMap() : maps[0];
-}
-
-template <const StereoConfig& C>
-void expect_reference(const ImagePair& pair, int stall_percent = 0) {
-   EXPECT_TRUE(
-       same_map(match_reference(pair.left, pair.right, matching_parameters(C)), core_map<C>(pair, stall_percent)));
-}
 
 template <class Config>
 class LargeStereoCoreTest : public ::testing::Test {};
@@ -84,41 +59,6 @@ TEST(StereoCore, FindsAKnownShift) {
       EXPECT_TRUE(same_map(DisparityMap(kAwkward.output_width_px(), kAwkward.height_px, uint16_t(disparity)),
                            core_map<kAwkward>(pair)));
    }
-}
-
-inline constexpr StereoConfig kTeddy{.width_px = 450, .height_px = 375, .disparities = 60, .window_px = 5};
-/// Its rows as far as they fill groups of four.
-inline constexpr StereoConfig kTeddyTop{
-    .width_px = 450, .height_px = 372, .disparities = 60, .window_px = 5, .pixels_per_clock = 4};
-
-GrayImage top_rows(GrayImage image, int height) {
-   image.height = height;
-   image.pixels.resize(std::size_t(image.width) * std::size_t(height));
-   return image;
-}
-
-TEST(StereoCore, EqualsTheReferenceOnARealPair) {
-   const char* const data = std::getenv("STEREO_DATA");
-   const std::filesystem::path folder =
-       std::filesystem::path(data != nullptr ? data : STEREO_SOURCE_DIR "/../shared/data/stereo") / "teddy";
-   if (!std::filesystem::exists(folder / "left.png"))
-      GTEST_SKIP() << "SKIP: the stereo pair teddy is missing; set STEREO_DATA to the folder that holds teddy/left.png";
-   const ImagePair pair = app::load_pair(folder / "left.png", folder / "right.png");
-   expect_reference<kTeddy>(pair);
-   expect_reference<kTeddyTop>({top_rows(pair.left, kTeddyTop.height_px), top_rows(pair.right, kTeddyTop.height_px)});
-
-   // The truth, four times the disparity and 0 where unknown: most pixels must be right within one.
-   const GrayImage truth = app::load_gray(folder / "disp_right_x4.pgm");
-   const DisparityMap map = match_reference(pair.left, pair.right, matching_parameters(kTeddy));
-   int known = 0, good = 0;
-   for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x) {
-         if (truth.at(x, y) == 0) continue;
-         ++known;
-         good += std::abs(4 * map.at(x, y) - truth.at(x, y)) <= 4 ? 1 : 0;
-      }
-   RecordProperty("good_percent", 100 * good / known);
-   EXPECT_GT(100 * good, 60 * known) << good << " of " << known << " pixels";
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ add_executable(
   stereo_core_test.cpp
   stereo_core_large_test.cpp
   stereo_core_options_test.cpp
+  stereo_core_real_pair_test.cpp
   stereo_core_stream_test.cpp
   support/small_cores.cpp
   support/small_cores_with_options.cpp
