@@ -34,7 +34,8 @@ def test_results_are_of_the_committed_vhdl(name):
 def test_line_memories_are_ram(name):
     for target, result in committed(name)["targets"].items():
         assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
-        assert result["memory_bits"] == manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
+        declared = manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
+        assert 0.95 * declared <= result["memory_bits"] <= declared, "bits that never change may fall away"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
