@@ -12,7 +12,7 @@ from flow_commands import call
 CONFIGURATIONS = [name for name in implement.known_configurations() if family(name) != OPTION]
 PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 16_384  # of the paper's 884,736
-LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110}
+LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
 
 
 def committed(name, target=None):
