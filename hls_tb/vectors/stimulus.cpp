@@ -30,7 +30,8 @@ void check(const std::string& name, const StereoConfig& config, const ImagePair&
    const int group = config.pixels_per_clock, least = least_rows(config), count = rows.end - rows.first;
    require(count % group == 0, range + " has " + std::to_string(count) + " rows but must have a multiple of the " +
                                    std::to_string(group) + " pixels per clock");
-   require(count >= least || count == config.height_px, range + " would give no output: send at least " + std::to_string(least) + " rows");
+   require(count >= least || count == config.height_px,
+           range + " would give no output: send at least " + std::to_string(least) + " rows");
 }
 
 }  // namespace
