@@ -117,9 +117,11 @@ struct StereoConfig {
       const int first_column = first_cost_column() + (reference == Reference::left ? 1 : 0);
       return transform + delay_groups() * width_px + first_column + columns_after() + check + smoothing + 1;
    }
-   /// Valid groups without start of frame that bring out the last disparities of a frame.
+   /// Valid groups without start of frame that bring out the last disparities of a frame. A window without rows below its
+   /// centre can need none.
    constexpr int flush_groups() const {
-      return groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1 - row_groups() * width_px;
+      const int groups_to_last_output = groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1;
+      return at_least_0(groups_to_last_output - row_groups() * width_px);
    }
    /// Whole rows of groups that must stand between two frames. Recursive sums of a frame's last rows and of the next
    /// one's first rows would need the same memory at once.

@@ -69,6 +69,18 @@ TEST(StereoConfig, TheSizeOfTheMapIsThatOfTheModels) {
       }
 }
 
+/// Plain core: the last window needs the rows below it, then the columns of its row that come after it.
+TEST(StereoConfig, FlushGroupsBringOutTheLastDisparity) {
+   constexpr StereoConfig kPlain = configurations::ambrosch2007;
+   EXPECT_EQ(kPlain.flush_groups(), kPlain.width_px);
+   StereoConfig config = configurations::tiny;
+   EXPECT_EQ(config.flush_groups(), config.width_px);
+   config.window_px = 2;  // no row and no column below its centre, and the map lacks the last column
+   EXPECT_EQ(config.flush_groups(), 0);
+   config.reference = Reference::left;
+   EXPECT_EQ(config.flush_groups(), 1);
+}
+
 TEST(StereoConfig, LargestCosts) {
    EXPECT_EQ(
        (StereoConfig{.width_px = 320, .height_px = 240, .disparities = 64, .cost = Cost::ssd}).largest_pixel_cost(),

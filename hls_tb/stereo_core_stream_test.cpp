@@ -95,7 +95,7 @@ TEST_P(StereoCoreStreamTest, AStartOfFrameRestartsAtAnyPlace) {
    for (int round = 0; round < 40; ++round) {
       const bool follows_a_frame = random.percent(50);
       // Up to and into the flush groups.
-      const int sent = 1 + random.below(frame_records() + std::max(0, config().flush_groups()));
+      const int sent = 1 + random.below(frame_records() + config().flush_groups());
       StimulusWriter stream = writer(20);
       if (follows_a_frame) {
          send(stream, pairs[0]);
