@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import page as page_files  # noqa: E402
 from flow import report  # noqa: E402
 from flow.errors import EXIT_OK, ArgumentParser, run_command  # noqa: E402
 
@@ -17,7 +18,7 @@ def main():
     options = parser.parse_args()
     demo = report.read_demo(options.demo)
     page = options.out or options.demo / "report.html"
-    report.write_page(page, report.render(demo))
+    page_files.write(page, report.render(demo))
     print(f"Page: {page}, picture: {options.demo / report.PICTURE}")
     print(report.summary(demo))
     return EXIT_OK

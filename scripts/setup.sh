@@ -10,6 +10,7 @@ packages=(
    libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
    ghdl-mcode verilator yosys                                # co-simulation and area
    python3 python3-venv python3-rich python3-jinja2 python3-pytest        # the flow and its tests
+   python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
 )
 
 case "${1:-}" in

@@ -19,13 +19,17 @@ class Mismatch:
         if self.expected is None:
             return f"clock {self.got.clock}: surplus output, disparity {self.got.disparity} flags {self.got.flags}"
         e = self.expected
-        row = self._first_wrong_row()
+        row = self.wrong_row()
         where = f"clock {e.clock}, frame {e.frame}, x {e.x}, y {e.y + row}: expected disparity {self._row(e.disparity, row)} flags {e.flags}"
         if self.got is None:
             return f"{where}, got nothing"
         return f"{where}, got disparity {self._row(self.got.disparity, row)} flags {self.got.flags} at clock {self.got.clock}"
 
-    def _first_wrong_row(self):
+    @property
+    def clock(self):
+        return (self.expected or self.got).clock
+
+    def wrong_row(self):
         """The uppermost row of the group that differs; the upper one when the difference is elsewhere."""
         if self.got is None or self.got.disparity == "X" or self.got.disparity == self.expected.disparity:
             return 0

@@ -2,6 +2,7 @@
 """Co-simulation: the C++ core makes stimulus and expectation, a simulator runs the VHDL, the checker compares."""
 
 import json
+import shlex
 import time
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass
@@ -10,14 +11,16 @@ from typing import Optional
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from . import checker, manifest, vectors
+from . import checker, manifest, mismatch, vectors
 from .bambu import original_files
 from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
-from .simulators import SIMULATORS
+from .simulators import SIMULATORS, Ghdl
 from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
 
 WAVE_CLOCKS_BEFORE = 64
 WAVE_CLOCKS_AFTER = 16
+AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
+SIMULATIONS = ROOT / "build" / "cosim" / "simulators"
 
 
 @dataclass(frozen=True)
@@ -60,13 +63,13 @@ def run_job(job):
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FlowError(f"cannot create {out}: {error.strerror}") from None
-    for stale in ("report.json", "junit.xml"):
+    for stale in ("report.json", "junit.xml", *mismatch.FILES):
         (out / stale).unlink(missing_ok=True)
     stimulus_path, expected_path = make_vectors(job, out)
     stimulus = vectors.read_stimulus(stimulus_path)
     expected, _ = vectors.read_expected(expected_path)
 
-    build_folder = ROOT / "build" / "cosim" / "simulators" / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
+    build_folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     simulator = SIMULATORS[job.simulator](files, build_folder, parameters["pixels_per_clock"], parameters["disparity_bits"], trace=job.wave is not None)
     started = time.monotonic()
     print(f"{job.config}: building the {job.simulator} simulation ...", flush=True)
@@ -90,6 +93,8 @@ def run_job(job):
     (out / "report.json").write_text(json.dumps(report, indent=2) + "\n")
     write_junit(out / "junit.xml", report, seconds)
     print(summary(report))
+    if verdict.first_mismatch:
+        _explain(job, parameters, simulator, files, verdict.first_mismatch, len(stimulus))
     return report
 
 
@@ -97,10 +102,40 @@ def exit_code(report):
     return EXIT_OK if report["passed"] else EXIT_MISMATCH
 
 
+def _explain(job, parameters, simulator, files, first, clocks):
+    """Waveform and page of the first mismatch. A model of Verilator has no waveform built in: GHDL runs the same VHDL for it."""
+    out = job.out_directory()
+    if first.clock > AUTOMATIC_WAVE_CLOCKS:
+        print(f"  no waveform by itself beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
+
+    def dump(path, window):
+        if first.clock > AUTOMATIC_WAVE_CLOCKS:
+            return
+        source = simulator
+        if not isinstance(simulator, Ghdl):
+            source = Ghdl(files, SIMULATIONS / f"{job.config}-ghdl", parameters["pixels_per_clock"], parameters["disparity_bits"])
+            source.build()
+        source.run(out / "stimulus.txt", out / "observed_wave.txt", lambda clock: None, job.watchdog_seconds, path.resolve(), window)
+        (out / "observed_wave.txt").unlink(missing_ok=True)
+
+    for line in mismatch.explain(out, parameters, first, clocks, dump, WAVE_CLOCKS_BEFORE, WAVE_CLOCKS_AFTER):
+        print(line)
+
+
+def command(job):
+    """The words that run a job again."""
+    words = ["scripts/cosim.py", "--config", job.config, "--left", job.left, "--right", job.right]
+    for option, value, default in (("--rows", job.rows, None), ("--frames", job.frames, 1), ("--stall-percent", job.stall_percent, 0),
+                                   ("--fit", job.fit, "none"), ("--rtl", job.rtl, None)):
+        words += [option, value] if value != default else []
+    return shlex.join(str(word) for word in [*words, "--seed", job.seed, "--simulator", job.simulator])
+
+
 def make_report(job, verdict, timing, clocks, seconds, build_seconds):
     first = verdict.first_mismatch
     return {
         "config": job.config,
+        "command": command(job),
         "simulator": job.simulator,
         "rows": job.rows,
         "stall_percent": job.stall_percent,

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/performance.md: tables made from committed files only, so that anyone gets the same page."""
 
+from typing import NamedTuple, Optional
+
 from . import figures, implement, manifest
 from .errors import FlowError
 from .families import PAPER as PAPER_FAMILY
@@ -12,13 +14,28 @@ PAGE = ROOT / "docs" / "performance.md"
 PAPER = {"width_px": 320, "height_px": 240, "disparities": 100}
 UNKNOWN = "-"
 
-# (system, clocks a frame of 320x240 with 100 disparities, frames a second, ALUTs, memory bits, Mde/s, where the numbers are from)
-PUBLISHED = [
-    ("Ambrosch et al. 2007, 3x3, Stratix II, 65 MHz", 153_120, 425, 15_616, 884_736, None, "the paper, section 4"),
+
+class Published(NamedTuple):
+    """What others say of their systems; None where they do not."""
+
+    system: str
+    clocks_per_frame: Optional[int]  # of 320x240 with 100 disparities
+    frames_per_second: Optional[int]
+    aluts: Optional[int]
+    memory_bits: Optional[int]
+    mde_per_second: Optional[int]
+    source: str
+
+
+PAPER_WINDOW_PX = 3
+PAPER_MHZ = 65
+PUBLISHED = [Published(*row) for row in (
+    (f"Ambrosch et al. 2007, 3x3, Stratix II, {PAPER_MHZ} MHz", 153_120, 425, 15_616, 884_736, None, "the paper, section 4"),
     ("Vitis Vision StereoBM, 100 units, 5x5", 79_056, None, None, None, None, "its loop bounds"),
     ("Strother dlsc SAD core, 2 rows at once, 5x5", 27_000, None, None, None, None, "its header; about"),
     ("best FPGA row found: SGM 3840x2160x64 at 30 frames a second", None, None, None, None, 15_925, "its publication"),
-]
+)]
+PAPER_SYSTEM = PUBLISHED[0]  # "Hardware implementation of an SAD based stereo vision algorithm", 2007
 
 _SURVEY = "table 1 of doi 10.1155/2014/945926"
 # (system of the paper's comparison, point, frames a second where a public source gives them, that source, configuration)
@@ -46,14 +63,18 @@ def number(value, digits=0):
 
 
 class Configuration:
-    """The committed files of one configuration. `targets` is empty when it is not implemented yet."""
+    """The committed files of one configuration. `targets` is empty when it is not implemented yet, and, if `stale_is_none`,
+    when it was implemented from other VHDL."""
 
-    def __init__(self, name):
+    def __init__(self, name, stale_is_none=False):
         self.name = name
         self.manifest = manifest.read(GENERATED_RTL / name)
         self.parameters = self.manifest["parameters"]
         result = implement.read(GENERATED_RTL / name)
-        if result is not None and not implement.is_fresh(result, self.manifest):
+        self.stale = result is not None and not implement.is_fresh(result, self.manifest)
+        if self.stale and stale_is_none:
+            result = None
+        elif self.stale:
             raise FlowError(f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}", 1)
         self.targets = result["targets"] if result else {}
 
@@ -107,12 +128,15 @@ def speed_table(configurations):
     return table(["configuration", "MHz, median", "MHz, best seed", "frames a second", "Mde/s", "thousand evaluations/s per LUT", "slowest path", "printed by"], rows)
 
 
-def comparison_table(configurations):
+def comparison(configurations):
+    """(head, rows): the published systems, and those of the configurations that have the paper's size."""
     evaluations = figures.evaluations_per_frame(PAPER)
     rows = []
-    for system, clocks, fps, aluts, bits, mde, source in PUBLISHED:
-        speed = mde or (fps and fps * evaluations / 1e6)
-        rows.append([system, number(clocks), number(clocks and evaluations / clocks, 1), number(fps), number(speed), number(aluts), number(bits), source])
+    for other in PUBLISHED:
+        clocks, fps = other.clocks_per_frame, other.frames_per_second
+        speed = other.mde_per_second or (fps and fps * evaluations / 1e6)
+        rows.append([other.system, number(clocks), number(clocks and evaluations / clocks, 1), number(fps), number(speed), number(other.aluts),
+                     number(other.memory_bits), other.source])
     for c in configurations:
         if any(c.parameters[key] != value for key, value in PAPER.items()):
             continue
@@ -122,7 +146,7 @@ def comparison_table(configurations):
             number(clock.get("frames_per_second")), number(clock.get("mde_per_second")), number(cyclone and cyclone["aluts"]),
             number(c.manifest["tool_report"]["memory_bits"]), code(f"scripts/implement.py --config {c.name}"),
         ])
-    return table(["system", "clocks a frame", "evaluations a clock", "frames a second", "Mde/s", "ALUTs", "memory bits", "from"], rows)
+    return ["system", "clocks a frame", "evaluations a clock", "frames a second", "Mde/s", "ALUTs", "memory bits", "from"], rows
 
 
 TEXT = """\
@@ -167,29 +191,30 @@ Stratix II by Altera's tools. The frames a second of this core are those of ECP5
 """
 
 
-def systems_table():
-    """The systems that the paper compares itself with, and this core as they were."""
+def systems(make=Configuration):
+    """(head, rows): the systems that the paper compares itself with, and this core as they were. `make`: configuration of a name."""
     rows = []
     for system, what, published, source, name in SYSTEMS:
         if name is None or name not in implement.known_configurations():
             rows.append([system, what, number(published), source, code(name) if name else "not done yet", *[UNKNOWN] * 6])
             continue
-        c = Configuration(name)
+        c = make(name)
         clock, area = c.clock(), c.targets.get("ecp5")
         cyclone = c.targets.get("cyclonev")
         rows.append([
             system, what, number(published), source, code(name), number(figures.clocks_per_frame(c.parameters)),
             number(c.manifest["tool_report"]["register_bits"]), number(c.manifest["tool_report"]["memory_bits"]),
             number(figures.lut_count(area)) if area else UNKNOWN, number(cyclone and cyclone["aluts"]), number(clock.get("frames_per_second"))])
-    return table(["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "LUT4", "ALUTs",
-                  "frames a second on ECP5"], rows)
+    head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "LUT4", "ALUTs",
+            "frames a second on ECP5"]
+    return head, rows
 
 
 def page():
     """The paper's core and its small twins; other families have pages of their own."""
     configurations = [Configuration(name) for name in implement.known_configurations() if family(name) in (PAPER_FAMILY, TINY)]
     return TEXT.format(per_clock=per_clock_table(configurations), speed=speed_table(configurations), area=area_table(configurations),
-                       comparison=comparison_table(configurations), systems=systems_table())
+                       comparison=table(*comparison(configurations)), systems=table(*systems()))
 
 
 def is_up_to_date():

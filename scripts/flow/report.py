@@ -1,134 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page about one demo: what the disparity map, the co-simulations and the synthesis gave, and how to get it again.
+"""The page about one demo: what the disparity map, the co-simulations, the synthesis and the implementation gave, what others
+have published, and the command that prints each number again."""
 
-A demo folder holds
-    match/            overview.png, match.json (stereo_hls match)
-    cosim-ghdl/       report.json (scripts/cosim.py)
-    cosim-verilator/  report.json
-"""
-
-import base64
-import json
-import os
 import shlex
-import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
-import jinja2
-
-from . import manifest
+from . import figures, implement, mismatch, page, performance, pictures
+from .demo_folder import COSIMS, MAP, PICTURE, VALID, read_demo  # noqa: F401: read_demo and PICTURE are for report.py
 from .errors import FlowError
-from .tools import GENERATED_RTL
+from .page import number
+from .tools import ROOT
+from .yosys import TARGETS
 
-TEMPLATE = Path(__file__).with_name("report.html.j2")
 PROGRAM = "build/release/stereo_hls"
-PICTURE = Path("match/overview.png")
-COSIMS = ("cosim-ghdl", "cosim-verilator")
-MATCH_FORMAT = "stereo-hls match 1"
-# "Hardware implementation of an SAD based stereo vision algorithm", 2007.
-PAPER = {
-    "size": {"width_px": 320, "height_px": 240, "disparities": 100, "window_px": 3},
-    "clocks_per_frame": 153120,
-    "memory_bits": 884736,
-}
-
-_MATCH_KEYS = {
-    "config": str, "engine": str, "left": str, "right": str, "fit": str, "width_px": int, "height_px": int, "disparities": int,
-    "window_px": int, "output_width_px": int, "output_height_px": int, "milliseconds": (int, float),
-}
-_TRUTH_KEYS = {"disparity": str, "visible": str, "tolerance_px": int, "compared_px": int, "bad_px": int}
-_COSIM_KEYS = {
-    "config": str, "simulator": str, "rows": (str, type(None)), "stall_percent": int, "seed": int, "passed": bool, "expected": int,
-    "compared": int, "mismatches": int, "first_mismatch": (str, type(None)), "frames": int, "clocks": int,
-    "clocks_per_frame": (int, type(None)), "initiation_interval": (dict, type(None)), "latency_clocks": (int, type(None)),
-    "clocks_per_second": (int, float), "build_seconds": (int, float), "simulation_seconds": (int, float),
-}
-_INTERVAL_KEYS = {"min": int, "avg": (int, float), "max": int}
-_TOOL_KEYS = {"states": int, "loop_states": int, "registers": int, "registers_named": int, "register_bits": int, "memory_bits": int}
-
-
-@dataclass(frozen=True)
-class Demo:
-    match: dict
-    cosims: list  # in the order of COSIMS
-    manifest: dict
-    picture: bytes  # PNG
-
-    @property
-    def passed(self):
-        return all(cosim["passed"] for cosim in self.cosims)
-
-    @property
-    def whole_frames(self):
-        """The co-simulation that measured clocks a frame, or None."""
-        return next((cosim for cosim in self.cosims if cosim["clocks_per_frame"] is not None), None)
-
-    @property
-    def is_papers_size(self):
-        return all(self.manifest["parameters"].get(key) == value for key, value in PAPER["size"].items())
-
-
-# --- reading ----------------------------------------------------------------------------------------------------------
-
-
-def read_demo(folder):
-    folder = Path(folder)
-    if not folder.is_dir():
-        raise FlowError(f"{folder}: there is no such folder; make it with scripts/demo.sh")
-    match = _read_json(folder / "match" / "match.json", _MATCH_KEYS)
-    if match.get("format") != MATCH_FORMAT:
-        raise FlowError(f"{folder / 'match' / 'match.json'}: format '{match.get('format')}' instead of '{MATCH_FORMAT}'")
-    if "truth" in match:
-        _check(folder / "match" / "match.json", match["truth"], _TRUTH_KEYS)
-    cosims = [_read_cosim(folder / name / "report.json", match["config"]) for name in COSIMS]
-    return Demo(match, cosims, _read_manifest(match["config"]), _read_picture(folder / PICTURE))
-
-
-def _read_json(path, keys):
-    try:
-        content = json.loads(path.read_text())
-    except OSError as error:
-        raise FlowError(f"{path}: {error.strerror}; make it with scripts/demo.sh") from None
-    except ValueError as error:
-        raise FlowError(f"{path} is damaged: {error}; make it again with scripts/demo.sh") from None
-    _check(path, content, keys)
-    return content
-
-
-def _check(path, content, keys):
-    """Every key is there with a value of its type; a flag is no number."""
-    if not isinstance(content, dict):
-        raise FlowError(f"{path} is damaged: not an object with keys")
-    for key, kinds in keys.items():
-        value = content.get(key)
-        if key not in content or not isinstance(value, kinds) or (isinstance(value, bool) and kinds is not bool):
-            raise FlowError(f"{path} is damaged: {'no' if key not in content else 'unusable'} '{key}'")
-
-
-def _read_cosim(path, config):
-    content = _read_json(path, _COSIM_KEYS)
-    if content["initiation_interval"] is not None:
-        _check(path, content["initiation_interval"], _INTERVAL_KEYS)
-    if content["config"] != config:
-        raise FlowError(f"{path} is of configuration {content['config']}, but the disparity map is of {config}")
-    return content
-
-
-def _read_manifest(config):
-    content = manifest.read(GENERATED_RTL / config)
-    _check(GENERATED_RTL / config / "manifest.json", content["tool_report"], _TOOL_KEYS)
-    return content
-
-
-def _read_picture(path):
-    try:
-        picture = path.read_bytes()
-    except OSError as error:
-        raise FlowError(f"{path}: {error.strerror}; make it with scripts/demo.sh") from None
-    if not picture.startswith(b"\x89PNG\r\n"):
-        raise FlowError(f"{path} is damaged: not a PNG image; make it again with scripts/demo.sh")
-    return picture
 
 
 # --- commands ---------------------------------------------------------------------------------------------------------
@@ -165,46 +49,145 @@ def cosim_command(match, cosim):
     return _command(*words, "--seed", cosim["seed"], "--simulator", cosim["simulator"])
 
 
-# --- writing ----------------------------------------------------------------------------------------------------------
+# --- pictures ---------------------------------------------------------------------------------------------------------
 
 
-def number(value):
-    """12345 as 12,345; nothing as a dash."""
-    return "–" if value is None else f"{value:,}"
+def _named(name):
+    """A file that a JSON of the demo names: relative to the project, or to where one is."""
+    return ROOT / name if (ROOT / name).exists() else Path(name)
+
+
+def _optional(notes, what, load):
+    """What `load` gives, or None with a note for the page: the demo's folder does not hold the user's pair."""
+    try:
+        return load()
+    except FlowError as error:
+        notes.append(f"No picture of {what}: {error}.")
+        return None
+
+
+def _pair(match, notes):
+    pair = {}
+    for side in ("left", "right"):
+        name = match[side]
+        image = _optional(notes, f"the {side} image", lambda: pictures.fitted(pictures.load(_named(name), gray=True), match))
+        if image is not None:
+            pair[side] = image
+    return pair
+
+
+def draw(demo):
+    """(pictures in their order, notes on those that cannot be drawn)"""
+    match, notes = demo.match, []
+    numpy, _ = pictures.libraries()
+    values = match["min_disparity"] + pictures.load(demo.folder / MAP).astype(float) / match["disparity_steps_per_px"]
+    valid = numpy.ones(values.shape, bool)
+    if demo.has_checks:
+        valid = pictures.load(demo.folder / VALID) != 0
+    if values.shape != (match["output_height_px"], match["output_width_px"]) or valid.shape != values.shape:
+        raise FlowError(f"{demo.folder / MAP} is damaged: its size is not the one in match.json; make it again with scripts/demo.sh")
+    pair = _pair(match, notes)
+    drawn = [pictures.Picture(f"{side.capitalize()} image", pictures.png(image), "The reference: the map has its pixels." if side == match["reference"] else
+                              "The image in which matches are searched.", match["width_px"], match["height_px"]) for side, image in pair.items()]
+    drawn.append(pictures.of_map(match, values, valid))
+    truth = visible = None
+    if "truth" in match:
+        truth = _optional(notes, "the errors", lambda: pictures.load(_named(match["truth"]["disparity"])).astype(float))
+        visible = truth if truth is None else _optional(notes, "the errors", lambda: pictures.load(_named(match["truth"]["visible"])))
+    if visible is not None:
+        drawn.append(_errors(match, values, valid, truth, visible, notes))
+    if demo.has_checks and match["reference"] in pair:
+        known = (truth, visible) if visible is not None else ()
+        drawn.append(pictures.of_rejections(match, pair[match["reference"]], values, valid, *known))
+    return drawn, notes
+
+
+def _errors(match, values, valid, truth, visible, notes):
+    picture, bad = pictures.of_errors(match, values, valid, truth, visible)
+    if bad != match["truth"]["bad_px"]:
+        notes.append(f"The error picture shows {bad:,} bad pixels, match.json counts {match['truth']['bad_px']:,}: the files are not of one run.")
+    return picture
+
+
+# --- numbers ----------------------------------------------------------------------------------------------------------
+
+
+def key_figures(demo):
+    """(number, what it is, beside it) for the top of the page."""
+    paper, cards = performance.PAPER_SYSTEM, []
+    beside = (lambda value: f"2007 paper: {value:,}") if demo.is_papers_size else (lambda value: "")
+    if demo.whole_frames:
+        cards.append((number(demo.whole_frames["clocks_per_frame"]), "clocks a frame", beside(paper.clocks_per_frame)))
+    clock = demo.core.clock()
+    if clock:
+        cards.append((f"{clock['median']:.0f} MHz", "on ECP5, placed and routed", ""))
+        cards.append((number(clock["frames_per_second"]), "frames a second at that clock", beside(paper.frames_per_second)))
+    if "ecp5" in demo.core.targets:
+        cards.append((number(figures.lut_count(demo.core.targets["ecp5"])), "look-up tables on ECP5", ""))
+    cards.append((number(demo.tool["memory_bits"]), "memory bits", beside(paper.memory_bits)))
+    if "truth" in demo.match:
+        cards.append((f"{bad_percent(demo.match['truth']):.2f} %", "bad pixels", f"off by more than {demo.match['truth']['tolerance_px']} px"))
+    return cards
+
+
+def hardware(demo):
+    """[(command, [(what, this core, the paper)])]: the numbers under the command that prints them."""
+    name, tool, paper, whole = demo.match["config"], demo.tool, performance.PAPER_SYSTEM, demo.whole_frames
+    paper_evaluations = figures.evaluations_per_frame(performance.PAPER)
+    return [
+        (cosim_command(demo.match, whole or demo.cosims[0]), [
+            ("clocks a frame" + (", frames back to back" if whole and whole["frames"] > 1 else ""), number(whole and whole["clocks_per_frame"]),
+             number(paper.clocks_per_frame)),
+            ("latency, clocks", number((whole or demo.cosims[0])["latency_clocks"]), "–")]),
+        (f"scripts/performance.py --config {name}", [
+            ("disparity evaluations a clock", number(figures.evaluations_per_clock(demo.core.parameters)), number(paper_evaluations / paper.clocks_per_frame, 1)),
+            ("memory bits", number(tool["memory_bits"]), number(paper.memory_bits)),
+            ("register bits", number(tool["register_bits"]), "–")]),
+        (f"scripts/synthesize.py --config {name}    (needs Bambu)", [
+            ("registers, of them named as in C++", f"{tool['registers']:,}, {tool['registers_named']:,}", "–"),
+            ("states, of them in the loop", f"{tool['states']}, {tool['loop_states']}", "–")]),
+        *((f"scripts/implement.py --config {name} --target {target}", _target_rows(demo, target, result)) for target, result in demo.core.targets.items())]
+
+
+def _target_rows(demo, target, result):
+    paper, tables = performance.PAPER_SYSTEM, TARGETS[target].lut_name
+    rows = [(f"{target}: look-up tables ({tables})", number(figures.lut_count(result)), f"{number(paper.aluts)} (Stratix II)" if target == "cyclonev" else "–"),
+            (f"{target}: flip-flops", number(result["ffs"]), "–"),
+            (f"{target}: block RAMs", number(result["block_rams"]), "–")]
+    if "fmax_mhz" in result:
+        fmax, clock, seeds = result["fmax_mhz"], demo.core.clock(), len(result["fmax_mhz"]["by_seed"])
+        rows += [(f"{target}: MHz after place and route, median (best) of {seeds} seed{'s' if seeds != 1 else ''}", f"{fmax['median']:.1f} ({fmax['best']:.1f})",
+                  f"{performance.PAPER_MHZ} (Stratix II)"),
+                 (f"{target}: frames a second at that clock", number(clock["frames_per_second"]), number(paper.frames_per_second)),
+                 (f"{target}: million disparity evaluations a second", number(clock["mde_per_second"]),
+                  number(paper.frames_per_second * figures.evaluations_per_frame(performance.PAPER) / 1e6))]
+    return rows
+
+
+def comparisons():
+    """[(head, rows)]: what performance.py writes into docs/performance.md; a result of other VHDL counts as none."""
+    def make(name):
+        return performance.Configuration(name, stale_is_none=True)
+
+    families = [make(name) for name in implement.known_configurations() if performance.family(name) == performance.PAPER_FAMILY]
+    return [performance.comparison(families), performance.systems(make)]
 
 
 def bad_percent(truth):
-    return 100 * truth["bad_px"] / max(truth["compared_px"], 1)
+    return page.percent(truth["bad_px"], truth["compared_px"])
+
+
+# --- writing ----------------------------------------------------------------------------------------------------------
 
 
 def render(demo):
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(TEMPLATE.parent), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["number"] = number
-    return environment.get_template(TEMPLATE.name).render(
-        demo=demo, match=demo.match, truth=demo.match.get("truth"), tool=demo.manifest["tool_report"], paper=PAPER,
-        picture=base64.b64encode(demo.picture).decode(), match_commands=match_commands(demo),
-        cosims=[(cosim, cosim_command(demo.match, cosim)) for cosim in demo.cosims], bad_percent=bad_percent,
-    )
-
-
-def write_page(path, text):
-    """The whole page or none."""
-    path = Path(path)
-    temporary = None
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("w", dir=path.parent, prefix=f".{path.name}.", delete=False, encoding="utf-8") as file:
-            temporary = Path(file.name)
-            file.write(text)
-        temporary.chmod(0o644)
-        os.replace(temporary, path)
-    except OSError as error:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
-        raise FlowError(f"cannot write {path}: {error.strerror}") from None
+    drawn, notes = draw(demo)
+    failures = [mismatch.read(demo.folder / name, demo.core.parameters) for name, cosim in zip(COSIMS, demo.cosims) if not cosim["passed"]]
+    return page.render(
+        "report.html.j2", demo=demo, match=demo.match, truth=demo.match.get("truth"), pictures=drawn, notes=notes, scale=pictures.scale_png(),
+        cards=key_figures(demo), match_commands=match_commands(demo), cosims=[(cosim, cosim_command(demo.match, cosim)) for cosim in demo.cosims],
+        hardware=hardware(demo), comparisons=comparisons(), bad_percent=bad_percent, failures=[failure for failure in failures if failure],
+        size={**performance.PAPER, "window_px": performance.PAPER_WINDOW_PX})
 
 
 def summary(demo):
@@ -212,12 +195,13 @@ def summary(demo):
     parts = [f"{cosim['compared']:,} of {cosim['expected']:,} outputs in {cosim['simulator']}" for cosim in demo.cosims]
     mismatches = sum(cosim["mismatches"] for cosim in demo.cosims)
     lines = [f"{'PASS' if demo.passed else 'FAIL'}: VHDL against C++ core, {demo.match['config']}: {', '.join(parts)}; {mismatches:,} mismatches"]
-    beside = (lambda key: f" (2007 paper: {PAPER[key]:,})") if demo.is_papers_size else (lambda key: "")
-    facts, tool = [], demo.manifest["tool_report"]
+    paper = performance.PAPER_SYSTEM
+    beside = (lambda value: f" (2007 paper: {value:,})") if demo.is_papers_size else (lambda value: "")
+    facts, tool = [], demo.tool
     if demo.whole_frames is not None:
-        facts.append(f"{demo.whole_frames['clocks_per_frame']:,} clocks a frame{beside('clocks_per_frame')}")
+        facts.append(f"{demo.whole_frames['clocks_per_frame']:,} clocks a frame{beside(paper.clocks_per_frame)}")
         facts.append(f"latency {number(demo.whole_frames['latency_clocks'])} clocks")
     if "truth" in demo.match:
         facts.append(f"{bad_percent(demo.match['truth']):.2f} % bad pixels against the ground truth")
     lines += [", ".join(facts)] if facts else []
-    return "\n".join([*lines, f"{tool['memory_bits']:,} memory bits{beside('memory_bits')}, {tool['register_bits']:,} register bits"])
+    return "\n".join([*lines, f"{tool['memory_bits']:,} memory bits{beside(paper.memory_bits)}, {tool['register_bits']:,} register bits"])

@@ -4,8 +4,10 @@
 import hashlib
 import os
 import shutil
+import threading
 from pathlib import Path
 
+from . import vcd, waveform
 from .errors import FlowError
 from .tools import ROOT, find_ghdl, find_verilator, run, run_with_progress
 
@@ -81,10 +83,33 @@ class Ghdl(Simulator):
         command = [find_ghdl(), "-r", GHDL_STANDARD, "tb_stereo_core", f"-gpixels={self.pixels}", f"-gdisparity_bits={self.disparity_bits}",
                    f"-gstimulus_file={stimulus}", f"-gobserved_file={observed}"]
         if wave is not None:
-            # GHDL always dumps from the start; the end is bounded by the stop time (10 ns a clock, 2 clocks of reset).
+            # GHDL always dumps from the start; the stop time bounds the end.
             option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]
-            command += [f"{option}={wave}", f"--stop-time={(wave_clocks[1] + 3) * 10}ns"]
+            command += [f"{option}={wave}", f"--stop-time={waveform.start_ns(wave_clocks[1] + 1)}ns"]
         return command
+
+    def run(self, stimulus, observed, on_clock, watchdog_seconds, wave=None, wave_clocks=(0, 0)):
+        """A .vcd has the clocks that were asked for: GHDL writes all into a pipe, and they are cut out at its other end."""
+        if wave is None or wave.suffix != ".vcd":
+            return super().run(stimulus, observed, on_clock, watchdog_seconds, wave, wave_clocks)
+        pipe = self.work / "wave.vcd"
+        pipe.unlink(missing_ok=True)
+        os.mkfifo(pipe)
+        # Opened for both directions, so that neither end waits for the other to open it.
+        keeper = os.open(pipe, os.O_RDWR)
+        cutter = threading.Thread(target=_cut, args=(pipe, wave, *map(waveform.start_ns, wave_clocks)))
+        cutter.start()
+        try:
+            return super().run(stimulus, observed, on_clock, watchdog_seconds, pipe, wave_clocks)
+        finally:
+            os.close(keeper)
+            cutter.join()
+            pipe.unlink()
+
+
+def _cut(pipe, path, first_ns, last_ns):
+    with open(pipe, encoding="ascii") as lines, open(path, "w", encoding="ascii") as result:
+        vcd.cut(lines, result.write, first_ns, last_ns)
 
 
 class Original(Ghdl):

@@ -42,8 +42,10 @@ class Resources(HTMLParser):
 def check_page(folder, text):
     """The page stands alone and has the numbers of the files that it was made from."""
     resources = Resources(text).found
-    picture = base64.b64encode((folder / "match" / "overview.png").read_bytes()).decode()
-    assert resources == [f"data:image/png;base64,{picture}"]
+    assert len(resources) >= 4, "the pair, the map and its scale"
+    for resource in resources:
+        kind, _, data = resource.partition(",")
+        assert kind == "data:image/png;base64" and base64.b64decode(data, validate=True).startswith(b"\x89PNG\r\n")
     assert "url(" not in text and "@import" not in text and "<script" not in text
     for name in COSIMS:
         entry = report(folder / name)
@@ -245,8 +247,10 @@ def without(path, key):
     ("match/match.json", lambda path: change(path, truth=7), ["damaged"]),
     ("match/match.json", lambda path: change(path, format="stereo-hls match 9"), ["match 9"]),
     ("match/match.json", lambda path: change(path, config="huge"), ["huge"]),
-    ("match/overview.png", Path.unlink, ["No such file", "demo.sh"]),
-    ("match/overview.png", lambda path: path.write_text("no image"), ["damaged", "PNG"]),
+    ("match/disparity.png", Path.unlink, ["No such file", "demo.sh"]),
+    ("match/disparity.png", lambda path: path.write_text("no image"), ["damaged", "PNG"]),
+    ("match/disparity.png", cut, ["disparity.png", "not a readable image"]),
+    ("match/match.json", lambda path: change(path, output_width_px=23), ["damaged", "its size is not the one in match.json"]),
     ("cosim-ghdl/report.json", Path.unlink, ["No such file", "demo.sh"]),
     ("cosim-ghdl/report.json", cut, ["damaged"]),
     ("cosim-verilator/report.json", lambda path: without(path, "mismatches"), ["damaged", "no 'mismatches'"]),

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""HTML pages that stand alone: templates in templates/, pictures inside, no network."""
+
+import base64
+import os
+import re
+import tempfile
+from pathlib import Path
+
+import jinja2
+from markupsafe import Markup, escape
+
+from .errors import FlowError
+
+TEMPLATES = Path(__file__).with_name("templates")
+
+
+def number(value, digits=0):
+    """12345 as 12,345; nothing as a dash."""
+    return "–" if value is None else f"{value:,.{digits}f}"
+
+
+def percent(part, whole):
+    return 100 * part / max(whole, 1)
+
+
+def png_uri(png):
+    return "data:image/png;base64," + base64.b64encode(png).decode()
+
+
+def cell(text):
+    """A table's cell as the pages in docs/ write it: `code` in back quotes, - for a number that is not known."""
+    if text == "-":
+        return Markup("–")
+    return Markup(re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(text))))
+
+
+def is_number(text):
+    """Whether a cell belongs to a column of numbers."""
+    return re.fullmatch(r"[-–]|[-+]?[\d,]+(\.\d+)?", text) is not None
+
+
+def render(template, **values):
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.filters |= {"number": number, "cell": cell, "png_uri": png_uri}
+    environment.tests["numeric"] = is_number
+    return environment.get_template(template).render(**values, percent=percent)
+
+
+def write(path, content):
+    """The whole file or none. `content`: text, or bytes."""
+    path, temporary = Path(path), None
+    data = content.encode() if isinstance(content, str) else content
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile("wb", dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+            temporary = Path(file.name)
+            file.write(data)
+        temporary.chmod(0o644)
+        os.replace(temporary, path)
+    except OSError as error:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+        raise FlowError(f"cannot write {path}: {error.strerror}") from None

@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A failed co-simulation shows where: both maps, the first pixel that differs, and the signals around that clock."""
+
+import io
+import re
+
+import pytest
+from browser import look
+from conftest import need
+from flow import mismatch, pictures, waveform
+from flow.tools import configuration
+from flow.vcd import Values, cut
+from flow_commands import altered_rtl, call, cosim, random_pair, report
+
+numpy, Image = pictures.libraries()
+WINNER = (r"(slice2best_index_0_0 <= )slice1best_index_0_0 when", r"\g<1>slice1best_index_0_0 / 2 when")
+LANE = ("leftright_checked_disparity_1 <= leftright_answered_disparity_1", "leftright_checked_disparity_1 <= leftright_answered_disparity_0")
+
+
+def failed(folder, config, fault, *options):
+    """(process, folder of the co-simulation) with a fault in a copy of the VHDL."""
+    pair = random_pair(folder / "pair", config, levels=4)
+    process = cosim(config, pair, folder / "out", "--rtl", altered_rtl(folder / "rtl", config, *fault), *options)
+    assert process.returncode == 1, process.stdout + process.stderr
+    return process, folder / "out"
+
+
+@pytest.fixture(scope="module")
+def tiny(tmp_path_factory):
+    need("ghdl", "GHDL")
+    return failed(tmp_path_factory.mktemp("tiny"), "tiny", WINNER, "--frames", 2)
+
+
+def first(out):
+    """(clock, frame, x, y, expected, got) of the sentence in report.json."""
+    words = re.fullmatch(r"clock (\d+), frame (\d+), x (\d+), y (\d+): expected disparity (\d+) .* got disparity (\d+) .*", report(out)["first_mismatch"])
+    return tuple(map(int, words.groups()))
+
+
+def map_of(out, name, frame):
+    """{(x, y): disparity} of one frame straight from the vector files, for configurations of one row a clock."""
+    wanted = [line.split() for line in (out / "expected.txt").read_text().splitlines()[1:]]
+    words = [w[4] for w in wanted] if name == "expected" else [line.split()[1] for line in (out / "observed.txt").read_text().splitlines()[:-1]]
+    return {(int(w[1]), int(w[2])): int(word, 16) for w, word in zip(wanted, words) if int(w[3]) == frame}
+
+
+def test_stdout_says_where_to_look(tiny):
+    process, out = tiny
+    assert f"both maps, the first pixel that differs and its signals: {out / 'failure.html'}" in process.stdout
+    assert f"gtkwave {out / 'failure.vcd'} {out / 'failure.gtkw'}" in process.stdout
+    text = (out / "failure.html").read_text()
+    assert report(out)["first_mismatch"] in text and "VHDL and C++ differ" in text
+    assert report(out)["command"] in text.replace("&#39;", "'")
+
+
+def test_maps_are_those_of_the_vector_files(tiny):
+    _, out = tiny
+    clock, frame, x, y, expected, got = first(out)
+    failure = mismatch.read(out, configuration("tiny"))
+    want, have = map_of(out, "expected", frame), map_of(out, "observed", frame)
+    assert (want[x, y], have[x, y]) == (expected, got) and expected != got
+    assert [picture.title for picture in failure.pictures] == ["Expected", "Got", "Difference"]
+    shown = [numpy.asarray(Image.open(io.BytesIO(picture.png))) for picture in failure.pictures]
+    for picture, values in zip(shown, (want, have)):
+        for (column, row), value in values.items():
+            assert (picture[row, column] == pictures.disparity_colors(value, 0, 7)).all()
+    wrong = {place for place in want if want[place] != have[place]}
+    assert {(column, row) for column, row in want if tuple(shown[2][row, column]) == pictures.rgb(mismatch.DIFFERS)} == wrong
+    assert min(wrong, key=lambda place: place[::-1]) == (x, y)
+    assert {picture.mark for picture in failure.pictures} == {(100 * (x + 0.5) / 24, 100 * (y + 0.5) / 12)}
+
+
+def test_the_pixel_stands_in_the_table(tiny):
+    _, out = tiny
+    _, _, x, y, expected, got = first(out)
+    table = mismatch.read(out, configuration("tiny")).around
+    marked = [(row["y"], column, cell) for row in table["rows"] for column, cell in zip(table["columns"], row["cells"]) if cell["first"]]
+    assert marked == [(y, x, {"expected": str(expected), "got": str(got), "wrong": True, "first": True})]
+
+
+def test_wave_shows_the_wrong_value_in_that_clock(tiny):
+    _, out = tiny
+    clock, *_, got = first(out)
+    assert waveform.output(out / "failure.vcd", clock) == (1, got)
+    observed = {int(line.split()[0]): int(line.split()[1], 16) for line in (out / "observed.txt").read_text().splitlines()[:-1]}
+    begin, end = report(out)["wave_clocks"]
+    assert begin <= clock <= end <= begin + 80
+    for number in range(begin, end + 1):
+        valid, disparity = waveform.output(out / "failure.vcd", number)
+        assert valid == (number in observed) and (not valid or disparity == observed[number])
+
+
+def test_stimulus_stands_in_the_wave(tiny):
+    _, out = tiny
+    values, lines = Values(out / "failure.vcd"), (out / "stimulus.txt").read_text().splitlines()[1:]
+    begin, end = report(out)["wave_clocks"]
+    for number in range(begin, end + 1):
+        flags, left, right = (int(word, 16) for word in lines[number].split())
+        at = {name: values.at(waveform.CORE + name, waveform.start_ns(number)) for name in ("valid", "start_of_frame", "left_pixel", "right_pixel")}
+        assert at == {"valid": flags & 1, "start_of_frame": flags >> 1, "left_pixel": left, "right_pixel": right}
+
+
+def test_save_file_names_signals_of_the_dump(tiny):
+    """As GTKWave knows them: with the range of a vector, in groups, and the marker where the clock begins."""
+    _, out = tiny
+    lines, dump = (out / "failure.gtkw").read_text().splitlines(), (out / "failure.vcd").read_text()
+    names = [line.removeprefix("tb_stereo_core.dut.") for line in lines if line.startswith("tb_stereo_core.dut.")]
+    inside = dump.partition("$scope module dut $end")[2]
+    for name in names:
+        assert re.search(rf"\$var reg \d+ \S+ {re.escape(name)} \$end", inside), name
+    groups = [line for line in lines if line.startswith("-")]
+    assert groups == [group for group in groups[::2] for _ in range(2)], "each group is opened and closed"
+    assert groups[::2][:2] == ["-inputs", "-outputs"] and any(group.startswith("-winner's path") for group in groups)
+    assert {"left_pixel[7:0]", "disparity[7:0]", "slice2best_index_0_0[31:0]", "slice1best_cost_0_0[31:0]"} <= set(names)
+    marker = next(line for line in lines if line.startswith("*"))
+    assert int(marker.split()[1]) == 20 + 10 * first(out)[0]
+
+
+def test_page_in_a_browser(tiny, tmp_path):
+    need("chromium")
+    _, out = tiny
+    _, _, x, y, *_ = first(out)
+    for width in (1280, 390):
+        seen = look(out / "failure.html", tmp_path, width)
+        assert seen["scroll_width"] == width and seen["too_wide"] == [] and len(seen["marks"]) == 3
+        assert all(image["natural"] for image in seen["images"])
+
+
+def test_lanes_and_rejected_pixels(ghdl, tmp_path):
+    """Two rows a clock: the lower one is wrong, and it is the one that is marked."""
+    _, out = failed(tmp_path, "tiny_lr_p2", LANE)
+    _, _, x, y, expected, got = first(out)
+    assert y % 2 == 1
+    failure = mismatch.read(out, configuration("tiny_lr_p2"))
+    assert failure.pictures[0].mark[1] == pytest.approx(100 * (y + 0.5) / 12)
+    assert pictures.REJECTED in [color for color, _, _ in failure.pictures[0].legend]
+    cells = [cell for row in failure.around["rows"] for cell in row["cells"] if cell["first"]]
+    assert [cell["expected"].strip("()") for cell in cells] == [str(expected)] and [cell["got"].strip("()") for cell in cells] == [str(got)]
+
+
+def test_missing_and_unknown_outputs(ghdl, tmp_path):
+    _, out = failed(tmp_path / "silent", "tiny", (r"disparity_valid <= .*;", "disparity_valid <= '0';"))
+    assert "nothing" in (out / "failure.html").read_text()
+    _, out = failed(tmp_path / "unknown", "tiny", (r"disparity_valid <= .*;", "disparity_valid <= 'X';"))
+    assert "got disparity X" in (out / "failure.html").read_text()
+
+
+def test_verilators_mismatch_has_ghdls_wave(ghdl, verilator, tmp_path):
+    process, out = failed(tmp_path, "tiny", WINNER, "--simulator", "verilator")
+    text = (out / "failure.html").read_text()
+    assert "The waveform is GHDL&#39;s" in text and "the two simulators differ" not in text
+    assert waveform.output(out / "failure.vcd", first(out)[0]) == (1, first(out)[5])
+
+
+def test_a_pass_removes_the_page_of_an_earlier_failure(ghdl, tmp_path):
+    _, out = failed(tmp_path, "tiny", WINNER)
+    assert all((out / name).is_file() for name in mismatch.FILES)
+    process = cosim("tiny", (tmp_path / "pair" / "left.pgm", tmp_path / "pair" / "right.pgm"), out)
+    assert process.returncode == 0 and not any((out / name).exists() for name in mismatch.FILES)
+
+
+def test_without_matplotlib_the_verdict_stays(ghdl, tmp_path):
+    (tmp_path / "modules").mkdir()
+    (tmp_path / "modules" / "matplotlib.py").write_text("raise ImportError('none', name='matplotlib')")
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", *WINNER)
+    pair = random_pair(tmp_path / "pair", "tiny", levels=4)
+    process = cosim("tiny", pair, tmp_path / "out", "--rtl", rtl, environment={"PYTHONPATH": str(tmp_path / "modules")})
+    assert process.returncode == 1 and process.stderr == ""
+    assert "no page of the mismatch: the Python package matplotlib is missing" in process.stdout
+    assert not (tmp_path / "out" / "failure.html").exists()
+
+
+def test_page_of_a_demo_shows_the_failure(tiny, tmp_path):
+    """The fragment of the failed co-simulation stands in the demo's page."""
+    import shutil
+
+    from test_report import fill
+
+    folder = fill(tmp_path / "demo", "tiny")
+    shutil.rmtree(folder / "cosim-ghdl")
+    shutil.copytree(tiny[1], folder / "cosim-ghdl")
+    assert call("report.py", "--demo", folder).returncode == 0
+    text = (folder / "report.html").read_text()
+    assert "Where ghdl differs" in text and 'class="mark"' in text and "slice2best_index_0_0" in text
+
+
+# --- cutting a dump ---------------------------------------------------------------------------------------------------
+
+DUMP = """$date
+  today
+$end
+$timescale
+  1 fs
+$end
+$scope module textio $end
+$upscope $end
+$scope module tb $end
+$var reg 1 ! clock $end
+$var reg 1 " pixel_valid[0:0] $end
+$scope module dut $end
+$var integer 32 # sum $end
+$upscope $end
+$upscope $end
+$enddefinitions $end
+#0
+0!
+b1 "
+b101 #
+#5000000
+1!
+#10000000
+0!
+b111 #
+#15000000
+1!
+#20000000
+0!
+#25000000
+1!
+""".splitlines(keepends=True)
+
+
+@pytest.fixture
+def stretch(tmp_path):
+    with open(tmp_path / "cut.vcd", "w", encoding="ascii") as file:
+        cut(iter(DUMP), file.write, 10, 20)
+    return tmp_path / "cut.vcd"
+
+
+def test_a_stretch_begins_with_all_values(stretch):
+    text, values = stretch.read_text(), Values(stretch)
+    assert "textio" not in text and "1 ns" in text and re.findall(r"^#\d+$", text, re.MULTILINE) == ["#10", "#15", "#20"]
+    assert values.at("tb.dut.sum", 9) is None
+    assert [values.at("tb.clock", time) for time in (10, 15, 20)] == [0, 1, 0]
+    assert [values.at("tb.dut.sum", time) for time in (10, 20)] == [7, 7] and values.at("tb.pixel_valid", 10) == 1
+    assert values.label("tb.dut.sum") == "tb.dut.sum[31:0]" and values.label("tb.pixel_valid") == "tb.pixel_valid"
+
+
+def test_a_value_that_is_no_number(tmp_path):
+    with open(tmp_path / "cut.vcd", "w", encoding="ascii") as file:
+        cut(iter([line.replace("b111 #", "b1U1 #") for line in DUMP]), file.write, 10, 20)
+    assert Values(tmp_path / "cut.vcd").at("tb.dut.sum", 12) == "X"

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the page of a demo shows: pictures with the right pixels, and a layout that a reader can use, wide and on a phone."""
+
+import io
+import subprocess
+
+import pytest
+from browser import look
+from conftest import need
+from flow import demo_folder, page, performance, pictures, report
+from flow.errors import FlowError
+from flow.tools import find_stereo_hls
+from flow_commands import call, scene
+from test_demo import COSIM, COSIMS, change
+
+numpy, Image = pictures.libraries()
+
+
+def fill(folder, config, truth=True):
+    """A demo folder as the demo leaves it, with made-up co-simulations."""
+    left, right = scene(folder / "scene", config, seed=3)
+    side = "left" if "left" in config else "right"
+    words = ["--truth", folder / "scene" / f"disparity_{side}.png", "--visible", folder / "scene" / f"visible_{side}.png"] if truth else []
+    subprocess.run([find_stereo_hls(), "match", "--config", config, "--left", left, "--right", right, "--out", folder / "match", *words], check=True, capture_output=True)
+    whole = {"simulator": "verilator", "rows": None, "frames": 2, "clocks_per_frame": 384, "expected": 576, "compared": 576}
+    for name, changes in zip(COSIMS, ({}, whole)):
+        (folder / name).mkdir()
+        change(folder / name / "report.json", dict(COSIM), config=config, **changes)
+    return folder
+
+
+@pytest.fixture(scope="module", params=["tiny", "tiny_all", "tiny_lr_left", "tiny_subpixel", "tiny_min3"])
+def demo(request, tmp_path_factory):
+    return report.read_demo(fill(tmp_path_factory.mktemp(request.param), request.param))
+
+
+def colors(picture):
+    return numpy.asarray(Image.open(io.BytesIO(picture.png)).convert("RGB"))
+
+
+def count(picture, color):
+    return int((colors(picture) == pictures.rgb(color)).all(axis=2).sum())
+
+
+def test_pictures_are_those_of_the_demo(demo):
+    drawn, notes = report.draw(demo)
+    titles = [picture.title for picture in drawn]
+    assert titles == ["Left image", "Right image", "Disparity", "Error against the ground truth"] + (["Rejections"] if demo.has_checks else [])
+    assert notes == [], "and the error picture has as many bad pixels as match.json"
+    left = numpy.asarray(Image.open(demo.folder / "scene" / "left.png").convert("RGB"))
+    assert (colors(drawn[0]) == left).all()
+    for picture in drawn:
+        assert colors(picture).shape == (demo.match["height_px"], demo.match["width_px"], 3)
+
+
+def test_disparity_has_the_colours_of_its_scale(demo):
+    picture = report.draw(demo)[0][2]
+    match, values = demo.match, pictures.load(demo.folder / demo_folder.MAP)
+    valid = pictures.load(demo.folder / demo_folder.VALID) != 0 if demo.has_checks else numpy.ones(values.shape, bool)
+    x, y = next((x, y) for y in range(values.shape[0]) for x in range(values.shape[1]) if valid[y, x])
+    share = values[y, x] / match["disparity_steps_per_px"] / (match["disparities"] - 1)
+    bar = numpy.asarray(Image.open(io.BytesIO(pictures.scale_png())))
+    shown = colors(picture)[y, match["output_first_column"] + x].astype(int)
+    assert abs(shown - bar[0, round(share * 255)].astype(int)).max() <= 6
+    low = match["min_disparity"]
+    assert picture.scale[0] == f"{low} px" and picture.scale[-1] == f"{low + match['disparities'] - 1} px"
+    assert count(picture, pictures.REJECTED) == (~valid).sum()
+
+
+def test_errors_are_counted_as_the_program_counts_them(demo):
+    picture = report.draw(demo)[0][3]
+    large = sum(count(picture, color) for _, color in pictures.ERRORS[2:])
+    assert large == demo.match["truth"]["bad_px"] > 0
+    shares = [share for _, _, share in picture.legend if share is not None]
+    assert sum(shares) == pytest.approx(100)
+
+
+def test_rejections_are_counted(demo):
+    if not demo.has_checks:
+        assert len(report.draw(demo)[0]) == 4
+        return
+    picture = report.draw(demo)[0][4]
+    rejected = int((pictures.load(demo.folder / demo_folder.VALID) == 0).sum())
+    assert count(picture, pictures.GOOD) + count(picture, pictures.TOO_STRICT) == rejected > 0
+
+
+def test_a_pair_that_is_gone_leaves_notes(demo):
+    gone = {**demo.match, "left": "no/left.png", "truth": {**demo.match["truth"], "visible": "no/visible.png"}}
+    drawn, notes = report.draw(demo_folder.Demo(demo.folder, gone, demo.cosims, demo.core, demo.has_checks))
+    assert "Left image" not in [picture.title for picture in drawn] and "Error against the ground truth" not in [picture.title for picture in drawn]
+    assert any("no/left.png" in note for note in notes) and any("no/visible.png" in note for note in notes)
+
+
+def test_truth_of_another_run_is_noticed(demo):
+    other = {**demo.match, "truth": {**demo.match["truth"], "bad_px": demo.match["truth"]["bad_px"] + 1}}
+    _, notes = report.draw(demo_folder.Demo(demo.folder, other, demo.cosims, demo.core, demo.has_checks))
+    assert len(notes) == 1 and "not of one run" in notes[0]
+
+
+def test_every_row_of_the_comparison_stands_on_the_page(tmp_path):
+    text = report.render(report.read_demo(fill(tmp_path / "demo", "tiny")))
+    for other in performance.PUBLISHED:
+        assert other.system in text
+    for system, *_ in performance.SYSTEMS:
+        assert system in text
+    targets = performance.Configuration("ambrosch2007", stale_is_none=True).targets
+    assert not targets or f"{targets['cyclonev']['aluts']:,}" in text
+    own = performance.Configuration("tiny", stale_is_none=True).targets
+    for name, result in own.items():
+        assert f"--target {name}" in text and f">{result['ffs']:,}<" in text
+    assert own or "not measured yet" in text
+
+
+def test_results_of_other_vhdl_are_none(tmp_path, monkeypatch):
+    demo = report.read_demo(fill(tmp_path / "demo", "tiny"))
+    monkeypatch.setattr(performance.implement, "is_fresh", lambda result, entry: False)
+    stale = performance.Configuration("tiny", stale_is_none=True)
+    assert stale.stale and stale.targets == {}
+    with pytest.raises(FlowError, match="of other VHDL"):
+        performance.Configuration("tiny")
+    text = report.render(demo_folder.Demo(demo.folder, demo.match, demo.cosims, stale, demo.has_checks))
+    assert "is of other VHDL" in text and "MHz after place and route" not in text
+
+
+def test_without_matplotlib_one_sentence(tmp_path):
+    folder = fill(tmp_path / "demo", "tiny")
+    (tmp_path / "modules").mkdir()
+    (tmp_path / "modules" / "matplotlib.py").write_text("raise ImportError('none', name='matplotlib')")
+    process = call("report.py", "--demo", folder, environment={"PYTHONPATH": str(tmp_path / "modules")})
+    assert process.returncode == 3 and "apt-get install python3-matplotlib" in process.stderr and process.stderr.count("\n") == 1
+    assert not (folder / "report.html").exists()
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """A page with checks, a long path in its commands, and one with a failed co-simulation."""
+    need("chromium")
+    folder = fill(tmp_path_factory.mktemp("a_folder_with_quite_a_long_name_that_does_not_break"), "tiny_all")
+    change(folder / COSIMS[0] / "report.json", passed=False, mismatches=2, first_mismatch="clock 9, frame 0, x 3, y 1: expected disparity 2 flags 4, got disparity 1")
+    (folder / "report.html").write_text(report.render(report.read_demo(folder)))
+    return folder / "report.html"
+
+
+@pytest.mark.parametrize("width", [1280, 768, 390])
+def test_layout(pages, tmp_path, width):
+    seen = look(pages, tmp_path, width)
+    assert seen["width"] == width and seen["scroll_width"] == width, "the page itself does not scroll sideways"
+    assert seen["too_wide"] == []
+    assert seen["text"] > 3000 and seen["smallest_text_px"] >= 11
+    assert [image["alt"] for image in seen["images"] if image["natural"] == 0] == [], "every picture is shown"
+    maps = [image for image in seen["images"] if not image["alt"].startswith("colour scale")]
+    assert len(maps) == 5
+    for image in maps:
+        assert image["shown"] >= (0.85 * width if width < 520 else 300)
+
+
+def test_the_layout_check_sees_an_overflow(pages, tmp_path):
+    broken = tmp_path / "broken.html"
+    broken.write_text(pages.read_text().replace("<h1>", '<div style="width: 1500px">wide</div><h1>', 1))
+    seen = look(broken, tmp_path, 390)
+    assert seen["scroll_width"] > 390 and seen["too_wide"]
+
+
+def test_numbers_and_cells():
+    assert page.number(None) == "–" and page.number(1234.5, 1) == "1,234.5"
+    assert page.cell("this core, `a<b`") == "this core, <code>a&lt;b</code>" and page.cell("-") == "–"
+    assert page.is_number("1,234.5") and page.is_number("-") and not page.is_number("1 of 2")
