@@ -26,6 +26,7 @@ struct LeftRightCheck {
    uint8_t other[kAhead][kPixels];     ///< [age][p]
    MemoryBank<Word, kPlaces, 1> ring;  // as in PairDelay
    uint16_t read_address = 1, write_address = 0;
+   bool holds_winners = false;  ///< a reset leaves the words of the ring, with their tags, as they were
    MemoryBank<uint8_t, kOtherPlaces, kPixels> others;
    uint16_t position = 0;  ///< where the other image's winner of this clock is kept
    // clock 1
@@ -75,8 +76,10 @@ struct LeftRightCheck {
       const Word words[1] = {packed(in)};
       ring.write(write_address, words);
       held_position = position;
-      held_valid = in.tag.valid;
       const bool move = in.tag.valid;
+      const bool held_is_new = holds_winners || read_address == 0;  // place 0 is the first that is written
+      held_valid = move && held_is_new;
+      holds_winners = select<bool>(move, held_is_new, holds_winners);
       position = at_most<kOtherPlaces - 1>(select<uint16_t>(move, uint16_t(position + 1), position));
       write_address = select<uint16_t>(move, read_address, write_address);
       const uint16_t read_after = select<uint16_t>(read_address == kPlaces - 1, 0, read_address + 1);

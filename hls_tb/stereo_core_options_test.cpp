@@ -110,8 +110,15 @@ class StereoCoreLatencyTest : public StereoCoreOptionsTest {};
 INSTANTIATE_TEST_SUITE_P(Named, StereoCoreLatencyTest, ::testing::ValuesIn(small_ones()),
                          [](const auto& test) { return configuration_table()[test.param].name; });
 
-/// Records of a frame and its flush.
-int whole_frame(const StereoConfig& config) { return config.width_px * config.row_groups() + config.flush_groups(); }
+/// Records from a frame's first to the one that brings out its last disparities.
+int whole_frame(const StereoConfig& config) {
+   return config.groups_to_first_output() + (config.row_groups() - 1) * config.width_px + config.output_width_px() - 1;
+}
+
+TEST_P(StereoCoreLatencyTest, FlushGroupsAreTheRecordsBehindTheFrameThatItNeeds) {
+   const StereoConfig& config = core().config;
+   EXPECT_EQ(config.flush_groups(), std::max(0, whole_frame(config) - config.width_px * config.row_groups()));
+}
 
 TEST_P(StereoCoreLatencyTest, TheFirstOutputComesExactlyTheLatencyAfterItsLastRecord) {
    const StereoConfig& config = core().config;

@@ -42,8 +42,12 @@ class StereoCoreStreamTest : public ::testing::TestWithParam<std::size_t> {
    }
    void send(StimulusWriter& to, const ImagePair& frame) const { to.rows(frame, {0, config().height_px}); }
    std::vector<CoreOutput> run(StimulusWriter& from) const {
+      HeapMemories memories;
+      return run(from, memories);
+   }
+   std::vector<CoreOutput> run(StimulusWriter& from, HeapMemories& memories) const {
       from.drain(core().latency_clocks);
-      return core().run(from.clocks, nullptr);
+      return core().run(from.clocks, memories, nullptr);
    }
    int frame_records() const { return config().width_px * config().row_groups(); }
 };
@@ -108,6 +112,27 @@ TEST_P(StereoCoreStreamTest, AStartOfFrameRestartsAtAnyPlace) {
       const auto maps = collect_frames(last_frame(run(stream)), config());
       ASSERT_EQ(maps.size(), 1u);
       EXPECT_TRUE(same_map(expected, maps[0])) << sent << " records before, after a frame: " << follows_a_frame;
+   }
+}
+
+TEST_P(StereoCoreStreamTest, AResetAtAnyPlaceLeavesNothingOfTheFrameBefore) {
+   const std::vector<ImagePair> pairs = some_pairs(config(), 2);
+   StimulusWriter whole = writer(), alone = writer();
+   send(whole, pairs[0]);
+   whole.flush(config());
+   send(alone, pairs[1]);
+   alone.flush(config());
+   const std::vector<CoreOutput> expected = run(alone);
+   Random random(test_seed());
+   for (int round = 0; round < 20; ++round) {
+      const int sent = 1 + random.below(int(whole.clocks.size()));
+      StimulusWriter before = writer(20), after = writer();
+      for (int i = 0; i < sent; ++i) before.record(whole.clocks[std::size_t(i)]);
+      send(after, pairs[1]);
+      after.flush(config());
+      HeapMemories memories;
+      run(before, memories);
+      EXPECT_EQ(run(after, memories), expected) << sent << " records before";
    }
 }
 

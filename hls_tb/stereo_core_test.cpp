@@ -28,8 +28,9 @@ void expect_exact(const SmallCore& core, const ImagePair& pair, int stall_percen
    writer.flush(config);
    writer.random_records(2);  // the last column sums belong to no pixel of the map
    writer.drain(core.latency_clocks);
+   HeapMemories memories;
    Stages stages;
-   const auto outputs = core.run(writer.clocks, &stages);
+   const auto outputs = core.run(writer.clocks, memories, &stages);
 
    EXPECT_TRUE(same_volume(column_sums(costs, config.window_px), stages.columns)) << "column sums";
    EXPECT_TRUE(same_volume(window_sums(costs, config.window_px), stages.sums)) << "window sums";

@@ -16,13 +16,12 @@ from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_c
 def main():
     parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
     parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
-    parser.add_argument("--preset", default="release", help="CMake preset whose build folder is used (default release)")
     parser.add_argument("--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)")
     parser.add_argument("--rows", type=int, default=8, metavar="N", help="rows of the crop in GHDL (default 8)")
     options = parser.parse_args()
     if options.rows < 2:
         raise FlowError("--rows must be 2 or more")
-    loop = DevLoop(options.config, options.preset, options.header, options.rows)
+    loop = DevLoop(options.config, options.header, options.rows)
     console = Console(highlight=False, soft_wrap=True)
     timings = []
     table = Table("step", "seconds", "", title=f"Developer's loop, {options.config}")

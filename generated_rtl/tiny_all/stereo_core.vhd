@@ -82,10 +82,11 @@ architecture rtl of stereo_core is
   signal transform_read_start_of_frame, transform_read_valid, transform_ready_row_inside_0 : boolean;
   signal transform_ready_row_inside_2, transform_ready_column_inside_0, transform_ready_column_inside_2 : boolean;
   signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
-  signal transform_columns_row_inside_2, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_columns_row_inside_1, transform_columns_row_inside_2, transform_columns_column_inside_0 : boolean;
+  signal transform_columns_column_inside_2, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_column_inside_0, transform_filtering_column_inside_2 : boolean;
+  signal transform_filtering_start_of_frame, transform_filtering_valid, transform_filtered_start_of_frame : boolean;
+  signal transform_filtered_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
   signal transform_write_column : natural range 0 to 31;
   signal transform_counter_group : natural range 0 to 15;
@@ -458,23 +459,23 @@ begin
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
     variable transform_counter_group_choice_2, transform_counter_next_frame_is_equal : boolean;
-    variable transform_read_column_inside_0_differs, transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_is_less, transform_right_filter_feature_0_is_less : boolean;
-    variable transform_left_filter_column_0_0_choice_3, transform_right_filter_column_0_0_choice_3 : boolean;
-    variable raster_group_is_equal, raster_group_is_equal_2, raster_group_all, raster_group_is_equal_3 : boolean;
-    variable raster_group_choice_2, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
-    variable delay_tag_map_column_is_less, slice0cost_reverse_1_1_is_equal, slice0cost_reverse_1_1_choice : boolean;
-    variable slice0cost_reverse_1_1_choice_2, slice0cost_reverse_1_1_is_equal_2, slice0cost_reverse_1_1_all : boolean;
-    variable slice0cost_reverse_1_1_choice_3, slice0cost_reverse_1_1_all_2, slice0cost_pair_1_1_choice : boolean;
-    variable slice0cost_pair_1_1_choice_2, slice0cost_pair_1_1_choice_3, slice0cost_pair_1_1_choice_4 : boolean;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_2_choice_2, slice0other_cost_0_0_all : boolean;
-    variable slice0other_cost_0_0_is_not_less, slice0other_cost_0_0_all_2, slice0winner1_cost_0_0_is_less : boolean;
-    variable slice0winner2_cost_0_0_is_less, slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less : boolean;
-    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
-    variable slice1winner1_cost_0_0_is_less, slice1winner2_cost_0_0_is_less, slice1best_cost_0_0_is_less : boolean;
-    variable slice1best_below_0_0_is_equal, slice1best_above_0_0_all, slice2other_cost_0_1_all : boolean;
-    variable slice2other_cost_0_1_all_2, slice2winner1_cost_0_0_is_less, slice2best_cost_0_0_is_less : boolean;
-    variable slice2best_below_0_0_is_equal, refinement_remainder_0_0_is_less : boolean;
+    variable transform_read_column_inside_0_differs, transform_columns_row_inside_1_all : boolean;
+    variable transform_left_filter_feature_0_all, transform_left_filter_feature_0_is_less : boolean;
+    variable transform_right_filter_feature_0_is_less, transform_left_filter_column_0_0_choice_3 : boolean;
+    variable transform_right_filter_column_0_0_choice_3, raster_group_is_equal, raster_group_is_equal_2 : boolean;
+    variable raster_group_all, raster_group_is_equal_3, raster_group_choice_2, delay_row_inside_1_is_less : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_less, slice0cost_reverse_1_1_is_equal : boolean;
+    variable slice0cost_reverse_1_1_choice, slice0cost_reverse_1_1_choice_2 : boolean;
+    variable slice0cost_reverse_1_1_is_equal_2, slice0cost_reverse_1_1_all, slice0cost_reverse_1_1_choice_3 : boolean;
+    variable slice0cost_reverse_1_1_all_2, slice0cost_pair_1_1_choice, slice0cost_pair_1_1_choice_2 : boolean;
+    variable slice0cost_pair_1_1_choice_3, slice0cost_pair_1_1_choice_4, slice0cost_pair_1_2_choice : boolean;
+    variable slice0cost_pair_1_2_choice_2, slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less : boolean;
+    variable slice0other_cost_0_0_all_2, slice0winner1_cost_0_0_is_less, slice0winner2_cost_0_0_is_less : boolean;
+    variable slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
+    variable slice1other_cost_0_2_is_not_less, slice1winner1_cost_0_0_is_less, slice1winner2_cost_0_0_is_less : boolean;
+    variable slice1best_cost_0_0_is_less, slice1best_below_0_0_is_equal, slice1best_above_0_0_all : boolean;
+    variable slice2other_cost_0_1_all, slice2other_cost_0_1_all_2, slice2winner1_cost_0_0_is_less : boolean;
+    variable slice2best_cost_0_0_is_less, slice2best_below_0_0_is_equal, refinement_remainder_0_0_is_less : boolean;
     variable refinement_remainder_1_0_is_not_less, refinement_remainder_2_0_is_not_less : boolean;
     variable refinement_remainder_3_0_is_not_less, refinement_remainder_4_0_is_not_less : boolean;
     variable refinement_remainder_5_0_is_not_less, refinement_remainder_6_0_is_not_less : boolean;
@@ -578,12 +579,17 @@ begin
         transform_counter_group;
       transform_counter_next_frame_is_equal := median_counter_group = 12;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
+      transform_columns_row_inside_1_all := (not transform_columns_row_inside_1) and (((leftright_read_address / 4) =
+        1) or (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
         transform_filtering_column_inside_0;
       transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
+      if transform_left_filter_feature_0_is_less then
+        transform_left_filter_feature_0_choice := -31;
+      else
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_difference;
+      end if;
       transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
         transform_left_filter_feature_0_difference mod 64;
       transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
@@ -591,8 +597,11 @@ begin
       transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
         transform_right_filter_column_2_0;
       transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
+      if transform_right_filter_feature_0_is_less then
+        transform_right_filter_feature_0_choice := -31;
+      else
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_difference;
+      end if;
       transform_right_filter_feature_0_choice_2 := 33 when transform_right_filter_feature_0_is_less else
         transform_right_filter_feature_0_difference mod 64;
       transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
@@ -634,6 +643,8 @@ begin
       transform_right_column_1 <= transform_right_rows_ready_words_0 / 256;
       transform_right_column_2 <= transform_right_rows_ready_newest_0;
       transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_1 <= (not refinement_tag_9_valid) and transform_columns_row_inside_1 when
+        transform_columns_row_inside_1_all else refinement_tag_9_valid or transform_columns_row_inside_1;
       transform_columns_row_inside_2 <= transform_ready_row_inside_2;
       transform_columns_column_inside_0 <= transform_ready_column_inside_0;
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
@@ -1535,7 +1546,7 @@ begin
       leftright_other_11_0 <= leftright_other_10_0;
       leftright_position <= (leftright_position + as_number(refinement_tag_9_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= refinement_tag_9_valid;
+      leftright_held_valid <= (not transform_columns_row_inside_1_all) and refinement_tag_9_valid;
       leftright_address_0 <= (to_integer(leftright_held_0(17 downto 4)) + leftright_held_position + 9) mod 16;
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
       leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
@@ -1705,6 +1716,7 @@ begin
         transform_ready_start_of_frame <= false;
         transform_ready_valid <= false;
         transform_write_column <= 0;
+        transform_columns_row_inside_1 <= false;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
         transform_filtering_start_of_frame <= false;

@@ -87,9 +87,10 @@ architecture rtl of stereo_core is
   signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_start_of_frame : boolean;
   signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_1 : boolean;
   signal transform_columns_row_inside_3, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_row_inside_1 : boolean;
+  signal transform_filtering_column_inside_0, transform_filtering_column_inside_2 : boolean;
+  signal transform_filtering_start_of_frame, transform_filtering_valid, transform_filtered_start_of_frame : boolean;
+  signal transform_filtered_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
   signal transform_write_column : natural range 0 to 31;
   signal transform_counter_group : natural range 0 to 7;
@@ -559,32 +560,32 @@ begin
     variable transform_read_row_inside_0_value, transform_read_row_inside_0_any : boolean;
     variable transform_read_row_inside_1_any, transform_read_column_inside_0_differs : boolean;
     variable transform_left_filter_feature_0_all, transform_left_filter_feature_0_is_less : boolean;
-    variable transform_left_filter_feature_1_is_less, transform_left_filter_column_0_0_choice_3 : boolean;
-    variable transform_left_filter_column_0_1_choice_3, transform_right_filter_column_0_0_choice_3 : boolean;
-    variable transform_right_filter_column_0_1_choice_3, raster_group_is_equal, raster_group_is_equal_2 : boolean;
-    variable raster_group_all, raster_group_is_equal_3, raster_group_choice_2, delay_write_address_is_equal : boolean;
-    variable delay_write_address_any, delay_write_address_choice, delay_write_address_is_equal_2 : boolean;
-    variable delay_write_address_all, delay_write_address_choice_2, delay_write_address_all_2 : boolean;
-    variable delay_row_inside_0_value, delay_row_inside_0_any, delay_row_inside_1_any : boolean;
-    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, slice0cost_pair_1_1_choice : boolean;
-    variable slice0cost_pair_1_1_choice_2, slice0cost_pair_1_1_choice_3, slice0cost_pair_1_1_choice_4 : boolean;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_2_choice_2, slice0other_cost_0_0_all : boolean;
-    variable slice0other_cost_0_1_is_not_less, slice0other_cost_0_2_is_not_less : boolean;
-    variable slice0other_cost_1_1_is_not_less, slice0other_cost_1_2_is_not_less : boolean;
-    variable slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2, slice0other_winner_1_1_choice : boolean;
-    variable slice0winner1_index_0_0_is_not_less, slice0winner1_index_1_0_is_not_less : boolean;
-    variable slice0winner2_index_0_0_is_less, slice0winner2_index_1_0_is_less : boolean;
-    variable slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
-    variable slice1other_cost_0_2_is_not_less, slice1other_cost_1_1_is_not_less : boolean;
-    variable slice1other_cost_1_2_is_not_less, slice1other_cost_1_0_is_not_less : boolean;
-    variable slice1winner1_index_0_0_is_not_less, slice1winner1_index_1_0_is_not_less : boolean;
-    variable slice1winner2_index_0_0_is_less, slice1winner2_index_1_0_is_less, slice1best_index_0_0_is_less : boolean;
-    variable slice1best_index_1_0_is_less, slice1best_below_0_0_is_equal, slice1best_below_1_0_is_equal : boolean;
-    variable slice1best_above_0_0_is_equal, slice1best_above_1_0_is_equal, slice2other_cost_0_0_all : boolean;
-    variable slice2other_cost_0_0_is_not_less, slice2other_cost_1_0_is_not_less : boolean;
-    variable slice2winner1_index_0_0_is_not_less, slice2winner1_index_1_0_is_not_less : boolean;
-    variable slice2best_index_0_0_is_less, slice2best_index_1_0_is_less, slice2best_above_0_0_is_equal : boolean;
-    variable slice2best_above_1_0_is_equal, refinement_remainder_0_0_is_less : boolean;
+    variable transform_left_filter_feature_1_is_less, transform_filtering_row_inside_1_all : boolean;
+    variable transform_left_filter_column_0_0_choice_3, transform_left_filter_column_0_1_choice_3 : boolean;
+    variable transform_right_filter_column_0_0_choice_3, transform_right_filter_column_0_1_choice_3 : boolean;
+    variable raster_group_is_equal, raster_group_is_equal_2, raster_group_all, raster_group_is_equal_3 : boolean;
+    variable raster_group_choice_2, delay_write_address_is_equal, delay_write_address_any : boolean;
+    variable delay_write_address_choice, delay_write_address_is_equal_2, delay_write_address_all : boolean;
+    variable delay_write_address_choice_2, delay_write_address_all_2, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, delay_tag_map_column_is_less : boolean;
+    variable delay_tag_first_column_is_equal, slice0cost_pair_1_1_choice, slice0cost_pair_1_1_choice_2 : boolean;
+    variable slice0cost_pair_1_1_choice_3, slice0cost_pair_1_1_choice_4, slice0cost_pair_1_2_choice : boolean;
+    variable slice0cost_pair_1_2_choice_2, slice0other_cost_0_0_all, slice0other_cost_0_1_is_not_less : boolean;
+    variable slice0other_cost_0_2_is_not_less, slice0other_cost_1_1_is_not_less : boolean;
+    variable slice0other_cost_1_2_is_not_less, slice0other_winner_0_1_choice, slice0other_winner_0_1_choice_2 : boolean;
+    variable slice0other_winner_1_1_choice, slice0winner1_index_0_0_is_not_less : boolean;
+    variable slice0winner1_index_1_0_is_not_less, slice0winner2_index_0_0_is_less : boolean;
+    variable slice0winner2_index_1_0_is_less, slice1other_cost_0_0_is_not_less : boolean;
+    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
+    variable slice1other_cost_1_1_is_not_less, slice1other_cost_1_2_is_not_less : boolean;
+    variable slice1other_cost_1_0_is_not_less, slice1winner1_index_0_0_is_not_less : boolean;
+    variable slice1winner1_index_1_0_is_not_less, slice1winner2_index_0_0_is_less : boolean;
+    variable slice1winner2_index_1_0_is_less, slice1best_index_0_0_is_less, slice1best_index_1_0_is_less : boolean;
+    variable slice1best_below_0_0_is_equal, slice1best_below_1_0_is_equal, slice1best_above_0_0_is_equal : boolean;
+    variable slice1best_above_1_0_is_equal, slice2other_cost_0_0_all, slice2other_cost_0_0_is_not_less : boolean;
+    variable slice2other_cost_1_0_is_not_less, slice2winner1_index_0_0_is_not_less : boolean;
+    variable slice2winner1_index_1_0_is_not_less, slice2best_index_0_0_is_less, slice2best_index_1_0_is_less : boolean;
+    variable slice2best_above_0_0_is_equal, slice2best_above_1_0_is_equal, refinement_remainder_0_0_is_less : boolean;
     variable refinement_remainder_0_1_is_less, refinement_remainder_1_0_is_not_less : boolean;
     variable refinement_remainder_1_1_is_not_less, refinement_remainder_2_0_is_not_less : boolean;
     variable refinement_remainder_2_1_is_not_less, refinement_remainder_3_0_is_not_less : boolean;
@@ -759,32 +760,46 @@ begin
         transform_filtering_column_inside_0;
       transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
+      if transform_left_filter_feature_0_is_less then
+        transform_left_filter_feature_0_choice := -31;
+      else
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_difference;
+      end if;
       transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
         transform_left_filter_feature_0_difference mod 64;
       transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
         transform_left_filter_feature_0_choice < 31 else 31;
       transform_left_filter_feature_1_difference := transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
       transform_left_filter_feature_1_is_less := transform_left_filter_feature_1_difference < (-31);
-      transform_left_filter_feature_1_choice := -31 when transform_left_filter_feature_1_is_less else
-        transform_left_filter_feature_1_difference;
+      if transform_left_filter_feature_1_is_less then
+        transform_left_filter_feature_1_choice := -31;
+      else
+        transform_left_filter_feature_1_choice := transform_left_filter_feature_1_difference;
+      end if;
       transform_left_filter_feature_1_choice_2 := 225 when transform_left_filter_feature_1_is_less else
         transform_left_filter_feature_1_difference mod 256;
       transform_left_filter_feature_1_choice_3 := transform_left_filter_feature_1_choice_2 when
         transform_left_filter_feature_1_choice < 31 else 31;
       transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
         transform_right_filter_column_2_0;
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_difference < (-31) else
-        transform_right_filter_feature_0_difference;
+      if transform_right_filter_feature_0_difference < (-31) then
+        transform_right_filter_feature_0_choice := -31;
+      else
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_difference;
+      end if;
       transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
         transform_right_filter_feature_0_choice < 31 else 31;
       transform_right_filter_feature_1_difference := transform_right_filter_column_0_1 -
         transform_right_filter_column_2_1;
-      transform_right_filter_feature_1_choice := -31 when transform_right_filter_feature_1_difference < (-31) else
-        transform_right_filter_feature_1_difference;
+      if transform_right_filter_feature_1_difference < (-31) then
+        transform_right_filter_feature_1_choice := -31;
+      else
+        transform_right_filter_feature_1_choice := transform_right_filter_feature_1_difference;
+      end if;
       transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice when
         transform_right_filter_feature_1_choice < 31 else 31;
+      transform_filtering_row_inside_1_all := (not transform_filtering_row_inside_1) and (((leftright_read_address / 4)
+        = 1) or (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       transform_left_0 <= in_left_pixel mod 256;
       transform_left_1 <= in_left_pixel / 256;
       transform_right_0 <= in_right_pixel mod 256;
@@ -845,6 +860,8 @@ begin
         transform_left_filter_feature_0_all else 31;
       transform_right_filter_feature_1 <= (transform_right_filter_feature_1_choice_2 + 31) mod 64 when
         transform_left_filter_feature_0_all else 31;
+      transform_filtering_row_inside_1 <= (not refinement_tag_9_valid) and transform_filtering_row_inside_1 when
+        transform_filtering_row_inside_1_all else refinement_tag_9_valid or transform_filtering_row_inside_1;
       transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_start_of_frame <= transform_columns_start_of_frame;
@@ -1225,8 +1242,11 @@ begin
       slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
         slice0other_winner_0_2;
       slice0other_winner_0_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_0_2;
-      slice0other_winner_0_2_choice_4 := as_number(slice0other_winner_0_1) when slice0window_tag_valid else
-        slice0other_winner_0_2;
+      if slice0window_tag_valid then
+        slice0other_winner_0_2_choice_4 := as_number(slice0other_winner_0_1);
+      else
+        slice0other_winner_0_2_choice_4 := slice0other_winner_0_2;
+      end if;
       slice0other_winner_0_2_choice_5 := slice0other_winner_0_2_choice_3 when slice0window_tag_output_column else
         slice0other_winner_0_2_choice_4;
       slice0other_winner_1_1_choice := slice0window_tag_valid and slice0window_tag_output_column when
@@ -1236,8 +1256,11 @@ begin
       slice0other_winner_1_2_choice_2 := slice0other_winner_1_2_choice when slice0window_tag_valid else
         slice0other_winner_1_2;
       slice0other_winner_1_2_choice_3 := 2 when slice0window_tag_valid else slice0other_winner_1_2;
-      slice0other_winner_1_2_choice_4 := as_number(slice0other_winner_1_1) when slice0window_tag_valid else
-        slice0other_winner_1_2;
+      if slice0window_tag_valid then
+        slice0other_winner_1_2_choice_4 := as_number(slice0other_winner_1_1);
+      else
+        slice0other_winner_1_2_choice_4 := slice0other_winner_1_2;
+      end if;
       slice0other_winner_1_2_choice_5 := slice0other_winner_1_2_choice_3 when slice0window_tag_output_column else
         slice0other_winner_1_2_choice_4;
       slice0other_cost_0_0 <= slice0other_cost_0_0_choice when slice0other_cost_0_0_all else
@@ -2230,7 +2253,7 @@ begin
       leftright_other_11_1 <= leftright_other_10_1;
       leftright_position <= (leftright_position + as_number(refinement_tag_9_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= refinement_tag_9_valid;
+      leftright_held_valid <= (not transform_filtering_row_inside_1_all) and refinement_tag_9_valid;
       leftright_address_0 <= (leftright_held_position - leftright_address_0_value) mod 16;
       leftright_address_1 <= (leftright_held_position - leftright_address_1_value) mod 16;
       leftright_asking_disparity_0 <= leftright_address_0_value;
@@ -2486,6 +2509,7 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
+        transform_filtering_row_inside_1 <= false;
         transform_filtering_start_of_frame <= false;
         transform_filtering_valid <= false;
         transform_filtered_start_of_frame <= false;

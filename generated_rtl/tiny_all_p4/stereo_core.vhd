@@ -603,7 +603,7 @@ architecture rtl of stereo_core is
   signal leftright_checked_disparity_1, leftright_checked_disparity_2 : natural range 0 to 15;
   signal leftright_checked_disparity_3 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(59 downto 0);
-  signal leftright_held_valid, leftright_asking_passed_0, leftright_asking_passed_1 : boolean;
+  signal leftright_held_valid, leftright_holds_winners, leftright_asking_passed_0, leftright_asking_passed_1 : boolean;
   signal leftright_asking_passed_2, leftright_asking_passed_3, leftright_asking_tag_valid : boolean;
   signal leftright_asking_tag_map_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_passed_1 : boolean;
@@ -890,13 +890,14 @@ begin
     variable refinement_remainder_6_1_is_not_less, refinement_remainder_6_2_is_not_less : boolean;
     variable refinement_remainder_6_3_is_not_less, refinement_remainder_7_0_is_not_less : boolean;
     variable refinement_remainder_7_1_is_not_less, refinement_remainder_7_2_is_not_less : boolean;
-    variable refinement_remainder_7_3_is_not_less, median_line_ended_choice, median_passed_1_0_all : boolean;
-    variable median_passed_1_0_any, median_complete_is_equal, median_median_middle_0_is_less : boolean;
-    variable median_median_middle_1_is_less, median_median_middle_2_is_less, median_median_middle_3_is_less : boolean;
-    variable median_out_disparity_0_is_less, median_out_disparity_1_is_less, median_out_disparity_2_is_less : boolean;
-    variable median_out_disparity_3_is_less, median_low_0_0_is_less, median_low_0_1_is_less : boolean;
-    variable median_low_0_2_is_less, median_low_0_3_is_less, median_low_1_0_all, median_middle_0_0_is_less : boolean;
-    variable median_middle_0_1_is_less, median_middle_0_2_is_less, median_middle_0_3_is_less : boolean;
+    variable refinement_remainder_7_3_is_not_less, leftright_held_valid_all, median_line_ended_choice : boolean;
+    variable median_passed_1_0_all, median_passed_1_0_any, median_complete_is_equal : boolean;
+    variable median_median_middle_0_is_less, median_median_middle_1_is_less, median_median_middle_2_is_less : boolean;
+    variable median_median_middle_3_is_less, median_out_disparity_0_is_less, median_out_disparity_1_is_less : boolean;
+    variable median_out_disparity_2_is_less, median_out_disparity_3_is_less, median_low_0_0_is_less : boolean;
+    variable median_low_0_1_is_less, median_low_0_2_is_less, median_low_0_3_is_less, median_low_1_0_all : boolean;
+    variable median_middle_0_0_is_less, median_middle_0_1_is_less, median_middle_0_2_is_less : boolean;
+    variable median_middle_0_3_is_less : boolean;
     variable transform_counter_group_choice, raster_group_choice, median_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 7;
     variable raster_group_choice_2, raster_group_choice_3, slice0other_winner_0_0_choice : natural range 0 to 7;
@@ -1228,32 +1229,44 @@ begin
         transform_filtering_column_inside_0;
       transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
+      if transform_left_filter_feature_0_is_less then
+        transform_left_filter_feature_0_choice := -31;
+      else
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_difference;
+      end if;
       transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
         transform_left_filter_feature_0_difference mod 64;
       transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
         transform_left_filter_feature_0_choice < 31 else 31;
       transform_left_filter_feature_1_difference := transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
       transform_left_filter_feature_1_is_less := transform_left_filter_feature_1_difference < (-31);
-      transform_left_filter_feature_1_choice := -31 when transform_left_filter_feature_1_is_less else
-        transform_left_filter_feature_1_difference;
+      if transform_left_filter_feature_1_is_less then
+        transform_left_filter_feature_1_choice := -31;
+      else
+        transform_left_filter_feature_1_choice := transform_left_filter_feature_1_difference;
+      end if;
       transform_left_filter_feature_1_choice_2 := 225 when transform_left_filter_feature_1_is_less else
         transform_left_filter_feature_1_difference mod 256;
       transform_left_filter_feature_1_choice_3 := transform_left_filter_feature_1_choice_2 when
         transform_left_filter_feature_1_choice < 31 else 31;
       transform_left_filter_feature_2_difference := transform_left_filter_column_0_2 - transform_left_filter_column_2_2;
       transform_left_filter_feature_2_is_less := transform_left_filter_feature_2_difference < (-31);
-      transform_left_filter_feature_2_choice := -31 when transform_left_filter_feature_2_is_less else
-        transform_left_filter_feature_2_difference;
+      if transform_left_filter_feature_2_is_less then
+        transform_left_filter_feature_2_choice := -31;
+      else
+        transform_left_filter_feature_2_choice := transform_left_filter_feature_2_difference;
+      end if;
       transform_left_filter_feature_2_choice_2 := 225 when transform_left_filter_feature_2_is_less else
         transform_left_filter_feature_2_difference mod 256;
       transform_left_filter_feature_2_choice_3 := transform_left_filter_feature_2_choice_2 when
         transform_left_filter_feature_2_choice < 31 else 31;
       transform_left_filter_feature_3_difference := transform_left_filter_column_0_3 - transform_left_filter_column_2_3;
       transform_left_filter_feature_3_is_less := transform_left_filter_feature_3_difference < (-31);
-      transform_left_filter_feature_3_choice := -31 when transform_left_filter_feature_3_is_less else
-        transform_left_filter_feature_3_difference;
+      if transform_left_filter_feature_3_is_less then
+        transform_left_filter_feature_3_choice := -31;
+      else
+        transform_left_filter_feature_3_choice := transform_left_filter_feature_3_difference;
+      end if;
       transform_left_filter_feature_3_choice_2 := 225 when transform_left_filter_feature_3_is_less else
         transform_left_filter_feature_3_difference mod 256;
       transform_left_filter_feature_3_choice_3 := transform_left_filter_feature_3_choice_2 when
@@ -1261,8 +1274,11 @@ begin
       transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
         transform_right_filter_column_2_0;
       transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
+      if transform_right_filter_feature_0_is_less then
+        transform_right_filter_feature_0_choice := -31;
+      else
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_difference;
+      end if;
       transform_right_filter_feature_0_choice_2 := 225 when transform_right_filter_feature_0_is_less else
         transform_right_filter_feature_0_difference mod 256;
       transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
@@ -1270,8 +1286,11 @@ begin
       transform_right_filter_feature_1_difference := transform_right_filter_column_0_1 -
         transform_right_filter_column_2_1;
       transform_right_filter_feature_1_is_less := transform_right_filter_feature_1_difference < (-31);
-      transform_right_filter_feature_1_choice := -31 when transform_right_filter_feature_1_is_less else
-        transform_right_filter_feature_1_difference;
+      if transform_right_filter_feature_1_is_less then
+        transform_right_filter_feature_1_choice := -31;
+      else
+        transform_right_filter_feature_1_choice := transform_right_filter_feature_1_difference;
+      end if;
       transform_right_filter_feature_1_choice_2 := 225 when transform_right_filter_feature_1_is_less else
         transform_right_filter_feature_1_difference mod 256;
       transform_right_filter_feature_1_choice_3 := transform_right_filter_feature_1_choice_2 when
@@ -1279,8 +1298,11 @@ begin
       transform_right_filter_feature_2_difference := transform_right_filter_column_0_2 -
         transform_right_filter_column_2_2;
       transform_right_filter_feature_2_is_less := transform_right_filter_feature_2_difference < (-31);
-      transform_right_filter_feature_2_choice := -31 when transform_right_filter_feature_2_is_less else
-        transform_right_filter_feature_2_difference;
+      if transform_right_filter_feature_2_is_less then
+        transform_right_filter_feature_2_choice := -31;
+      else
+        transform_right_filter_feature_2_choice := transform_right_filter_feature_2_difference;
+      end if;
       transform_right_filter_feature_2_choice_2 := 225 when transform_right_filter_feature_2_is_less else
         transform_right_filter_feature_2_difference mod 256;
       transform_right_filter_feature_2_choice_3 := transform_right_filter_feature_2_choice_2 when
@@ -1288,8 +1310,11 @@ begin
       transform_right_filter_feature_3_difference := transform_right_filter_column_0_3 -
         transform_right_filter_column_2_3;
       transform_right_filter_feature_3_is_less := transform_right_filter_feature_3_difference < (-31);
-      transform_right_filter_feature_3_choice := -31 when transform_right_filter_feature_3_is_less else
-        transform_right_filter_feature_3_difference;
+      if transform_right_filter_feature_3_is_less then
+        transform_right_filter_feature_3_choice := -31;
+      else
+        transform_right_filter_feature_3_choice := transform_right_filter_feature_3_difference;
+      end if;
       transform_right_filter_feature_3_choice_2 := 225 when transform_right_filter_feature_3_is_less else
         transform_right_filter_feature_3_difference mod 256;
       transform_right_filter_feature_3_choice_3 := transform_right_filter_feature_3_choice_2 when
@@ -3834,6 +3859,8 @@ begin
       refinement_fraction_2 <= ((((refinement_fraction_2_choice / 8) + 1) mod 32) * 8) + refinement_fraction_2_choice_2;
       refinement_fraction_3 <= ((((refinement_fraction_3_choice / 8) + 1) mod 32) * 8) + refinement_fraction_3_choice_2;
       -- leftright
+      leftright_held_valid_all := (not leftright_holds_winners) and (((leftright_read_address / 4) = 1) or
+        (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       leftright_address_0_value := to_integer(leftright_held_0(7 downto 4));
       leftright_address_1_value := to_integer(leftright_held_0(21 downto 18));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
@@ -3886,7 +3913,9 @@ begin
       leftright_other_11_3 <= leftright_other_10_3;
       leftright_position <= (leftright_position + as_number(refinement_tag_9_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= refinement_tag_9_valid;
+      leftright_held_valid <= (not leftright_held_valid_all) and refinement_tag_9_valid;
+      leftright_holds_winners <= (not refinement_tag_9_valid) and leftright_holds_winners when leftright_held_valid_all
+        else refinement_tag_9_valid or leftright_holds_winners;
       leftright_address_0 <= (leftright_held_position + leftright_address_0_value + 9) mod 16;
       leftright_address_1 <= (leftright_held_position + leftright_address_1_value + 9) mod 16;
       leftright_address_2 <= (leftright_held_position + to_integer(leftright_held_0(59 downto 32)) + 9) mod 16;
@@ -4348,6 +4377,7 @@ begin
         leftright_position <= 0;
         leftright_held_position <= 0;
         leftright_held_valid <= false;
+        leftright_holds_winners <= false;
         leftright_address_0 <= 0;
         leftright_address_1 <= 0;
         leftright_address_2 <= 0;

@@ -380,7 +380,7 @@ architecture rtl of stereo_core is
   signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 15;
   signal leftright_checked_disparity_0 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(17 downto 0);
-  signal leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
+  signal leftright_held_valid, leftright_holds_winners, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
   signal leftright_asking_tag_map_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_tag_valid : boolean;
   signal leftright_answered_tag_map_column, leftright_answered_tag_start_of_frame : boolean;
@@ -609,10 +609,10 @@ begin
     variable refinement_remainder_1_0_is_not_less, refinement_remainder_2_0_is_not_less : boolean;
     variable refinement_remainder_3_0_is_not_less, refinement_remainder_4_0_is_not_less : boolean;
     variable refinement_remainder_5_0_is_not_less, refinement_remainder_6_0_is_not_less : boolean;
-    variable refinement_remainder_7_0_is_not_less, median_line_ended_choice, median_passed_1_0_all : boolean;
-    variable median_complete_choice, median_complete_choice_2, median_median_middle_0_is_less : boolean;
-    variable median_out_disparity_0_is_less, median_low_0_0_is_less, median_low_1_0_all : boolean;
-    variable median_middle_0_0_is_less : boolean;
+    variable refinement_remainder_7_0_is_not_less, leftright_held_valid_all, median_line_ended_choice : boolean;
+    variable median_passed_1_0_all, median_complete_choice, median_complete_choice_2 : boolean;
+    variable median_median_middle_0_is_less, median_out_disparity_0_is_less, median_low_0_0_is_less : boolean;
+    variable median_low_1_0_all, median_middle_0_0_is_less : boolean;
     variable transform_counter_group_choice, median_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 15;
     variable median_counter_group_choice_2, median_counter_group_choice_3 : natural range 0 to 15;
@@ -725,8 +725,11 @@ begin
         transform_filtering_column_inside_0;
       transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
+      if transform_left_filter_feature_0_is_less then
+        transform_left_filter_feature_0_choice := -31;
+      else
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_difference;
+      end if;
       transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
         transform_left_filter_feature_0_difference mod 64;
       transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
@@ -734,8 +737,11 @@ begin
       transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
         transform_right_filter_column_2_0;
       transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
+      if transform_right_filter_feature_0_is_less then
+        transform_right_filter_feature_0_choice := -31;
+      else
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_difference;
+      end if;
       transform_right_filter_feature_0_choice_2 := 33 when transform_right_filter_feature_0_is_less else
         transform_right_filter_feature_0_difference mod 64;
       transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
@@ -1629,8 +1635,11 @@ begin
         texturecost_write_words_0 <= texturecost_column_0_0_choice_2;
       end if;
       -- texturewindow
-      texturewindow_change_0_0_choice := to_integer(texturewindow_leaving_0) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        texturewindow_change_0_0_choice := to_integer(texturewindow_leaving_0);
+      else
+        texturewindow_change_0_0_choice := 0;
+      end if;
       texturewindow_entering_0_0 <= texturecost_column_0_0;
       texturewindow_change_0_0 <= texturewindow_entering_0_0 - texturewindow_change_0_0_choice;
       texturewindow_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else texturewindow_sum_0_0;
@@ -1786,6 +1795,8 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       -- leftright
+      leftright_held_valid_all := (not leftright_holds_winners) and (((leftright_read_address / 4) = 1) or
+        (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -1800,7 +1811,9 @@ begin
       leftright_other_11_0 <= leftright_other_10_0;
       leftright_position <= (leftright_position + as_number(refinement_tag_9_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= refinement_tag_9_valid;
+      leftright_held_valid <= (not leftright_held_valid_all) and refinement_tag_9_valid;
+      leftright_holds_winners <= (not refinement_tag_9_valid) and leftright_holds_winners when leftright_held_valid_all
+        else refinement_tag_9_valid or leftright_holds_winners;
       leftright_address_0 <= (to_integer(leftright_held_0(17 downto 4)) + leftright_held_position + 9) mod 16;
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
       leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
@@ -2043,6 +2056,7 @@ begin
         leftright_position <= 0;
         leftright_held_position <= 0;
         leftright_held_valid <= false;
+        leftright_holds_winners <= false;
         leftright_address_0 <= 0;
         leftright_asking_tag_valid <= false;
         leftright_asking_tag_map_column <= false;

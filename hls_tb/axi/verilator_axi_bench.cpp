@@ -4,6 +4,7 @@
 //   bench STREAM OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]
 // OBSERVED: "o DATA FLAGS CLOCK" for each beat (flags: 1 start of frame, 2 frame error, 4 end of line), "r" at a reset,
 // "p SENTENCE" for a breach of the protocol, then "end CLOCKS" or "hang CLOCK".
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +23,16 @@ namespace {
 constexpr long kHangClocks = 200000;  // without a beat on either side while beats wait; the sink takes 1 in 10 at least
 constexpr long kProgressClocks = 20000;
 
-static_assert(sizeof(Vstereo_ip::m_axis_tdata) <= 8, "this bench takes beats of at most 64 bits");
+/// A beat of m_axis in words of 32 bits, the lowest first.
+using Beat = std::array<uint32_t, 3>;
+static_assert(sizeof(Vstereo_ip::m_axis_tdata) <= sizeof(Beat), "this bench takes beats of at most 96 bits");
+
+/// Verilator keeps ports of up to 64 bits as integers, wider ones as arrays.
+template <class Port>
+Beat beat_of(const Port& port) {
+   if constexpr (sizeof(Port) > 8) return {port[0], port[1], port[2]};
+   else return {uint32_t(port), uint32_t(uint64_t(port) >> 32), 0};
+}
 
 /// Ports are as wide as the beats of the configuration.
 template <class Port>
@@ -91,6 +101,9 @@ class Bench {
       model_.s_axis_tuser = random_() & 1;
       model_.s_axis_tlast = random_() & 1;
    }
+   void write_beat(const Beat& beat) const {
+      std::fprintf(observed_, "o %x%08x%08x %d %ld\n", beat[2], beat[1], beat[0], flags(), clock_);
+   }
    int flags() const { return model_.m_axis_tuser | model_.m_axis_tlast << 2; }
 
    /// One clock; true when a beat of s_axis was taken.
@@ -102,8 +115,7 @@ class Bench {
       check_protocol();
       const bool taken = model_.aresetn && model_.s_axis_tvalid && model_.s_axis_tready;
       const bool given = model_.aresetn && model_.m_axis_tvalid && model_.m_axis_tready;
-      if (given)
-         std::fprintf(observed_, "o %llx %d %ld\n", static_cast<unsigned long long>(model_.m_axis_tdata), flags(), clock_);
+      if (given) write_beat(beat_of(model_.m_axis_tdata));
       if (taken || given) last_beat_ = clock_;
       model_.aclk = 1;
       model_.eval();
@@ -120,10 +132,10 @@ class Bench {
    /// A beat that is offered stays as it is until it is taken; nothing is offered or taken in reset.
    void check_protocol() {
       const bool valid = model_.m_axis_tvalid;
-      if (waiting_ && (!valid || model_.m_axis_tdata != data_ || flags() != flags_))
+      if (waiting_ && (!valid || beat_of(model_.m_axis_tdata) != data_ || flags() != flags_))
          std::fprintf(observed_, "p m_axis changed before it was taken, clock %ld\n", clock_);
       waiting_ = model_.aresetn && valid && !model_.m_axis_tready;
-      data_ = model_.m_axis_tdata;
+      data_ = beat_of(model_.m_axis_tdata);
       flags_ = flags();
       if (!model_.aresetn && was_reset_ && (valid || model_.s_axis_tready))
          std::fprintf(observed_, "p m_axis_tvalid or s_axis_tready in reset, clock %ld\n", clock_);
@@ -142,7 +154,7 @@ class Bench {
    int source_percent_ = 0, sink_percent_ = 0;
    long clock_ = 0, last_beat_ = 0;
    bool waiting_ = false, was_reset_ = false;
-   uint64_t data_ = 0;
+   Beat data_{};
    int flags_ = 0;
 #if VM_TRACE
    std::unique_ptr<VerilatedFstC> wave_;

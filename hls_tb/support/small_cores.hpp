@@ -16,16 +16,16 @@ struct SmallCore {
    StereoConfig config;
    int latency_clocks;
    /// run_core. `stages`, unless null: what they showed, when the clocks hold one frame.
-   std::vector<CoreOutput> (*run)(const std::vector<StereoInput>& clocks, Stages* stages);
+   std::vector<CoreOutput> (*run)(const std::vector<StereoInput>& clocks, HeapMemories& memories, Stages* stages);
 };
 
 /// AllSmallConfigs, and some with options together.
 const std::vector<SmallCore>& small_cores();
 
 template <const StereoConfig& C>
-std::vector<CoreOutput> run_recorded(const std::vector<StereoInput>& clocks, Stages* stages) {
+std::vector<CoreOutput> run_recorded(const std::vector<StereoInput>& clocks, HeapMemories& memories, Stages* stages) {
    StageRecorder<C> recorder;
-   const auto outputs = run_core<C>(clocks, [&recorder, stages](const StereoCore<C>& core) {
+   const auto outputs = run_core<C>(clocks, memories, [&recorder, stages](const StereoCore<C>& core) {
       if (stages != nullptr) recorder.record(core.slices);
    });
    if (stages != nullptr) *stages = recorder.stages();

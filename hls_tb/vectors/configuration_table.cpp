@@ -5,6 +5,11 @@
 
 #include "vectors/configuration_functions.hpp"
 
+// A build for a few configurations names them: STEREO_CONFIGURATIONS in CMakeLists.txt.
+#ifndef STEREO_BUILT_CONFIGURATIONS
+#define STEREO_BUILT_CONFIGURATIONS STEREO_FOR_EACH_CONFIGURATION
+#endif
+
 namespace stereo {
 const std::vector<Configuration>& configuration_table() {
    static const std::vector<Configuration> table = [] {
@@ -12,7 +17,7 @@ const std::vector<Configuration>& configuration_table() {
 #define STEREO_ENTRY(name)                                                                               \
    Configuration{#name, configurations::name, configuration_functions::name::functions().latency_clocks, \
                  configuration_functions::name::functions().run, &configuration_functions::name::trace},
-          STEREO_FOR_EACH_CONFIGURATION(STEREO_ENTRY)
+          STEREO_BUILT_CONFIGURATIONS(STEREO_ENTRY)
 #undef STEREO_ENTRY
       };
       std::ranges::sort(entries, {}, &Configuration::name);

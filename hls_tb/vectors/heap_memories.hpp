@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
-#include <vector>
 
 namespace stereo {
 
-/// The memories of one core in native code: every core has its own, filled with zeros. See MemoryBank.
+/// The memories of one core in native code, filled with zeros at first. A core that is made anew on the memories of
+/// another one starts as the hardware does after a reset. See MemoryBank.
 class HeapMemories {
   public:
    template <class Word, int Depth, int Number>
@@ -14,13 +15,13 @@ class HeapMemories {
       struct Array {
          Word words[Depth] = {};
       };
-      const auto array = std::make_shared<Array>();
-      arrays_.push_back(array);
-      return array->words;
+      std::shared_ptr<void>& array = arrays_[Number];
+      if (!array) array = std::make_shared<Array>();
+      return static_cast<Array*>(array.get())->words;
    }
 
   private:
-   std::vector<std::shared_ptr<void>> arrays_;
+   std::map<int, std::shared_ptr<void>> arrays_;
 };
 
 }  // namespace stereo

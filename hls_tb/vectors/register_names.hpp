@@ -327,6 +327,7 @@ void visit_left_right(Visit& visit, const LeftRightCheck<C>& check) {
    visit_array(visit, "leftright_held", check.held);
    visit_value(visit, "leftright_held_position", check.held_position);
    visit_value(visit, "leftright_held_valid", check.held_valid);
+   visit_value(visit, "leftright_holds_winners", check.holds_winners);
    visit_array(visit, "leftright_address", check.address);
    visit_winners(visit, "leftright_asking", check.asking);
    visit_array(visit, "leftright_found", check.found);

@@ -10,10 +10,9 @@
 namespace stereo {
 
 /// The valid outputs of a core that starts from reset, at the clocks where they came. `observe(core)` is called after
-/// each clock and sees all registers.
+/// each clock and sees all registers. `memories` may hold what a core before the reset has left there.
 template <const StereoConfig& C, class Observer>
-std::vector<CoreOutput> run_core(const std::vector<StereoInput>& clocks, Observer observe) {
-   HeapMemories memories;
+std::vector<CoreOutput> run_core(const std::vector<StereoInput>& clocks, HeapMemories& memories, Observer observe) {
    const auto core = std::make_unique<StereoCore<C>>(memories);
    std::vector<CoreOutput> outputs;
    OutputLocator locator(C.pixels_per_clock);
@@ -27,7 +26,8 @@ std::vector<CoreOutput> run_core(const std::vector<StereoInput>& clocks, Observe
 
 template <const StereoConfig& C>
 std::vector<CoreOutput> run_core(const std::vector<StereoInput>& clocks) {
-   return run_core<C>(clocks, [](const StereoCore<C>&) {});
+   HeapMemories memories;
+   return run_core<C>(clocks, memories, [](const StereoCore<C>&) {});
 }
 
 }  // namespace stereo

@@ -27,6 +27,9 @@ DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
 
 class StimulusTest : public ::testing::TestWithParam<const char*> {
   protected:
+   void SetUp() override {
+      if (find_configuration(GetParam()) == nullptr) GTEST_SKIP() << "not built: STEREO_CONFIGURATIONS";
+   }
    const Configuration& core() const { return *find_configuration(GetParam()); }
    const StereoConfig& config() const { return core().config; }
    Stimulus stimulus(const StimulusOptions& options) const {

@@ -26,16 +26,14 @@ class Timing:
 
 
 class DevLoop:
-    def __init__(self, config, preset, header, crop_rows):
-        self.config, self.preset, self.crop_rows = config, preset, crop_rows
+    def __init__(self, config, header, crop_rows):
+        self.config, self.crop_rows = config, crop_rows
         self.header = ROOT / "hls" / header
-        self.build = ROOT / "build" / preset
+        self.build = WORK / "native"  # of this configuration only, as its developer would build it
         if not self.header.is_file():
             raise FlowError(f"there is no hls/{header}")
         if not (GENERATED_RTL / config / "manifest.json").is_file():
             raise FlowError(f"unknown configuration '{config}': generated_rtl/{config} has no manifest.json")
-        if not (self.build / "CMakeCache.txt").is_file():
-            raise FlowError(f"build/{preset} is not configured; run: cmake --preset {preset} && cmake --build --preset {preset}")
         os.environ["STEREO_HLS"] = str(self.build / "stereo_hls")  # for the commands called below
 
     def steps(self):
@@ -63,6 +61,8 @@ class DevLoop:
     def prepare(self):
         """What must be there before the first step is timed: an up-to-date build and a pair of images."""
         WORK.mkdir(parents=True, exist_ok=True)
+        run(["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={self.config}"],
+            log=WORK / "configure.log")
         run(["cmake", "--build", self.build], log=WORK / "up_to_date.log")
         run([os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"], passes_errors=True)
         shutil.rmtree(WORK / "rtl", ignore_errors=True)

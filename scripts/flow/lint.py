@@ -53,10 +53,13 @@ def netlist(files, generics, work):
     """What shows in the synthesised design only: names that Verilog reserves and two drivers of one signal (Verilator),
     latches and loops (yosys)."""
     verilog, log = Path(work) / "stereo_ip.v", Path(work) / "verilator.log"
-    verilog.write_text(to_verilog(files, work, "stereo_ip", generics))
+    text = to_verilog(files, work, "stereo_ip", generics)
+    verilog.write_text(text)
+    # What GHDL writes for a signal that keeps its value outside a clocked process, or has none.
+    found = [f"latch, or no value: {name}" for name in re.findall(r"^ *assign (\S+) = \d+'b[xX]+; // \(signal\)$", text, re.MULTILINE)]
     run([find_verilator(), "--lint-only", "-Wno-fatal", *(f"-Wwarn-{name}" for name in NETLIST_WARNINGS), "--top-module", "stereo_ip", verilog],
         log=log)
-    found = [line for line in log.read_text().splitlines() if re.match(rf"%(Error|Warning-({'|'.join(NETLIST_WARNINGS)}))", line)]
+    found += [line for line in log.read_text().splitlines() if re.match(rf"%(Error|Warning-({'|'.join(NETLIST_WARNINGS)}))", line)]
     script = f"read_verilog {verilog}; hierarchy -top stereo_ip; proc; flatten; check; select -count t:$dlatch t:$dlatchsr"
     run([find_yosys(), "-p", script], log=log.with_name("yosys.log"))
     said = log.with_name("yosys.log").read_text()

@@ -24,21 +24,23 @@ EXPLANATIONS = ROOT / "hls_tb" / "mutation" / "equivalent.json"
 WATCHDOG_SECONDS = 120
 # (grey levels, distance between them, bubbles in percent) of the co-simulations of the core alone, two frames each
 CORE_RUNS = ((4, 85, 10), (4, 1, 20), (256, 1, 0), (2, 255, 50))
-# (module, tests or None for all, generics that differ) of the stages of the shell
+SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
+# (configuration, module, tests or None for all, generics that differ) of the stages of the shell
 SHELL_STAGES = (
-    ("test_stereo_ip", ["full_speed", "stalls_30_30"], {}),
-    ("test_registers", None, {}),
-    ("test_stereo_ip", None, {}),
-    ("test_stereo_ip", ["full_speed", "gaps_of_all_lengths", "mixture"], {"gap_groups": 33}),
-    ("test_stereo_ip", ["full_speed", "gaps_of_all_lengths", "mixture"], {"gap_groups": 40, "flush_groups": 60}),
-    ("test_generics", ["wrong_latency"], {"latency_clocks": 14}),
-    ("test_generics", ["wrong_latency"], {"latency_clocks": 16}),
-    ("test_generics", ["starts_disabled"], {"enabled_at_reset": "false"}),
+    (CONFIG, "test_stereo_ip", ["full_speed", "stalls_30_30"], {}),
+    (CONFIG, "test_registers", None, {}),
+    (CONFIG, "test_stereo_ip", None, {}),
+    (CONFIG, "test_stereo_ip", ["full_speed", "gaps_of_all_lengths", "mixture"], {"gap_groups": 33}),
+    (CONFIG, "test_stereo_ip", ["full_speed", "gaps_of_all_lengths", "mixture"], {"gap_groups": 40, "flush_groups": 60}),
+    (CONFIG, "test_generics", ["wrong_latency"], {"latency_clocks": 14}),
+    (CONFIG, "test_generics", ["wrong_latency"], {"latency_clocks": 16}),
+    (CONFIG, "test_generics", ["starts_disabled"], {"enabled_at_reset": "false"}),
+    (SHORT_FRAMES, "test_stereo_ip", ["stalls_0_10", "mixture"], {}),
 )
 # What the co-simulation of the core alone does not do: more flush groups than needed, resets, frames that join a flush.
 CORE_STAGES = (
-    ("test_stereo_ip", ["full_speed"], {"gap_groups": 40, "flush_groups": 60}),
-    ("test_stereo_ip", ["reset_at_any_clock", "gaps_of_all_lengths", "mixture"], {}),
+    (CONFIG, "test_stereo_ip", ["full_speed"], {"gap_groups": 40, "flush_groups": 60}),
+    (CONFIG, "test_stereo_ip", ["reset_at_any_clock", "gaps_of_all_lengths", "mixture"], {}),
 )
 
 
@@ -116,17 +118,19 @@ class Shell:
 
     def __init__(self, stages=SHELL_STAGES):
         self.stages = stages
-        parameters = configuration(CONFIG)
-        self.pool = WORK / "pool"
-        pool.make_pool(CONFIG, parameters, cocotb_runs.PAIRS, 1, self.pool)
+        self.pools = {config: WORK / f"pool_{config}" for config, *_ in stages}
+        for config, path in self.pools.items():
+            pool.make_pool(config, configuration(config), cocotb_runs.PAIRS, 1, path)
 
-    def noticed(self, files, folder):
-        for number, (module, tests, generics) in enumerate(self.stages):
-            simulation = cocotb_runs.Ghdl(CONFIG, folder / "shell", files, generics)
+    def noticed(self, core, shell, folder):
+        """`core`: the files of CONFIG's core."""
+        for number, (config, module, tests, generics) in enumerate(self.stages):
+            cores = core if config == CONFIG else manifest.vhdl_files(GENERATED_RTL / config)
+            simulation = cocotb_runs.Ghdl(config, folder / f"shell_{config}", [*cores, *shell], generics)
             simulation.build()
             try:
                 results = simulation.run(module, 1, folder / f"stage_{number}", tests, watchdog_seconds=WATCHDOG_SECONDS,
-                                         pool_folder=self.pool, stop_at_failure=True)
+                                         pool_folder=self.pools[config], stop_at_failure=True)
             except FlowError as error:
                 return f"{module}: {str(error).rpartition(' / ')[2]}"
             failed = [result.name for result in results if not result.passed]
@@ -141,7 +145,8 @@ class Memory:
     def __init__(self):
         tests = [*sorted((ROOT / "hls_tb" / "axi").glob("*.py")), *sorted((ROOT / "hls_tb" / "formal").iterdir()), Path(mutants.__file__),
                  *(Path(module.__file__) for module in (broken, contract, pool, script))]
-        sources = [*core_files(), *shell_files(), *(path for path in tests if path.name != "diagrams.py")]
+        others = manifest.vhdl_files(GENERATED_RTL / SHORT_FRAMES)
+        sources = [*core_files(), *shell_files(), *others, Path(__file__), *(path for path in tests if path.name != "diagrams.py")]
         digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
         WORK.mkdir(parents=True, exist_ok=True)
         self.path = WORK / f"verdicts_{digest}.jsonl"
@@ -173,15 +178,16 @@ class Run:
         folder = WORK / "mutants" / f"{'core' if is_core else 'shell'}_{number}"
         shutil.rmtree(folder, ignore_errors=True)
         changed = mutants.write(mutant, folder / "rtl")
-        files = [changed if path.name == changed.name else path for path in [*manifest.vhdl_files(GENERATED_RTL / CONFIG), *shell_files()]]
+        core, shell = ([changed if path.name == changed.name else path for path in files]
+                       for files in (manifest.vhdl_files(GENERATED_RTL / CONFIG), shell_files()))
         (folder / "compile").mkdir()
         started = time.monotonic()
-        if not compiles(files, folder / "compile"):
+        if not compiles([*core, *shell], folder / "compile"):
             return Verdict(mutant, "invalid")
         if is_core:
-            by = self.core.noticed(files[: len(core_files())], folder) or self.core_in_shell.noticed(files, folder)
+            by = self.core.noticed(core, folder) or self.core_in_shell.noticed(core, shell, folder)
         else:
-            by = refuted(mutant, folder) or self.shell.noticed(files, folder)
+            by = refuted(mutant, folder) or self.shell.noticed(core, shell, folder)
         shutil.rmtree(folder, ignore_errors=True)
         return Verdict(mutant, "killed" if by else "survived", by, time.monotonic() - started)
 

@@ -4,6 +4,7 @@
 import pytest
 from flow import manifest
 from flow.families import OPTION, SYSTEM, family, keeps_vhdl
+from flow.simulators import to_verilog
 from flow.tools import GENERATED_RTL, configurations
 from flow_commands import cosim, random_pair, report, scene
 
@@ -43,6 +44,11 @@ def test_full_speed_with_ties(ghdl, tmp_path, config):
 def test_bubbles_on_a_scene(ghdl, tmp_path, config):
     process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--frames", 2, "--stall-percent", 30)
     passed(process, tmp_path / "out", config, 2)
+
+
+@pytest.mark.parametrize("config", OPTIONS)
+def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
+    assert to_verilog(manifest.vhdl_files(GENERATED_RTL / config), tmp_path).count("endmodule") >= 1
 
 
 @pytest.mark.parametrize("config", SYSTEMS)

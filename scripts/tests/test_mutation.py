@@ -9,7 +9,6 @@ from flow.errors import FlowError
 from flow_commands import call
 
 
-@pytest.mark.xfail(reason="a mutant of stereo_frames.vhd (may_start) survives and is not explained yet")
 def test_short_run(ghdl, yosys, tmp_path):
     try:
         cocotb_runs.environment_folder()

@@ -10,7 +10,7 @@ from flow.rtl import netlist, nodes as n
 from flow.rtl.evaluate import compile_step, initial_state
 from flow.rtl.ranges import narrow_registers
 from flow.rtl.vhdl_writer import VhdlWriter, control_registers, split_hold
-from flow.simulators import Ghdl
+from flow.simulators import Ghdl, to_verilog
 from flow.tools import GENERATED_RTL
 
 INPUTS = {"left_pixel": 8, "right_pixel": 8, "start_of_frame": 1, "valid": 1}
@@ -92,6 +92,7 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
     assert clocks == CLOCKS
     for expected, got in zip(run_in_python(design, stimulus), observed, strict=True):
         assert got == expected
+    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path), "GHDL's synthesis takes it, too"
 
 
 def test_ranges_follow_a_pipeline_and_leave_counters_alone():

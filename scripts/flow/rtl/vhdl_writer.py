@@ -257,13 +257,13 @@ class VhdlWriter:
         return lines
 
     def _conditional(self, name, target):
-        """A choice of computed numbers as an if statement, since GHDL's synthesis breaks off at a conditional assignment of
-        such a number to a variable; None for any other choice."""
+        """A choice of computed or converted numbers as an if statement, since GHDL's synthesis breaks off at a conditional
+        assignment of such a number to a variable; None for any other choice."""
         choices, node = [], target
         while node.op == "mux" and id(node) not in self.names:
             choices.append((node.args[0], node.args[1]))
             node = node.args[2]
-        if target.is_bit or all(id(value) in self.names or not value.args for _, value in choices):
+        if target.is_bit or all(re.fullmatch(r"\w+", self._plain_text(value, target)) for _, value in choices):
             return None
         lines, word = [], "if"
         for condition, value in choices:
