@@ -50,19 +50,6 @@ GrayImage from_mat(const cv::Mat& mat) {
    return image;
 }
 
-cv::Mat read_any(const std::string& path) {
-   if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such file");
-   cv::Mat mat;
-   try {
-      const SilentStderr silent;
-      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
-   } catch (const cv::Exception&) {
-      // Reported below, as an empty image.
-   }
-   if (mat.empty()) throw InputError(path + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
-   return mat;
-}
-
 GrayImage cropped(const GrayImage& image, int width, int height) {
    GrayImage result(width, height);
    const int x = (image.width - width) / 2, y = (image.height - height) / 2;
@@ -89,6 +76,19 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
 
+cv::Mat read_image(const std::string& path) {
+   if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such file");
+   cv::Mat mat;
+   try {
+      const SilentStderr silent;
+      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
+   } catch (const cv::Exception&) {
+      // Reported below, as an empty image.
+   }
+   if (mat.empty()) throw InputError(path + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
+   return mat;
+}
+
 cv::Mat colored(const DisparityMap& map, int disparities) {
    const int largest = std::max((disparities - 1) * map.steps_per_pixel(), 1);
    GrayImage shades = gray_of(map.disparity, map, [&](uint16_t value) { return value * 255 / largest; });
@@ -106,7 +106,7 @@ std::string encode(const cv::Mat& mat) {
 }
 
 GrayImage load_gray(const std::string& path) {
-   const cv::Mat mat = read_any(path);
+   const cv::Mat mat = read_image(path);
    if (mat.depth() != CV_8U)
       throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
                        " bits a channel but must have 8; convert it to an 8-bit image");

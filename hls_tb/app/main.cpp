@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/errors.hpp"
+#include "app/evaluate_command.hpp"
 
 namespace {
 
@@ -116,6 +117,7 @@ int main(int argc, char** argv) {
        "Exit codes: 0 success; 1 internal failure; 2 wrong usage or input. On failure one line on stderr says why, "
        "and nothing is written.");
    add_match(app);
+   add_evaluate(app);
    add_scene(app);
    add_vectors(app);
    add_trace(app);

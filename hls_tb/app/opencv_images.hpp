@@ -12,6 +12,9 @@ namespace stereo::app {
 
 /// A view of the pixels, not a copy.
 cv::Mat as_mat(GrayImage& image);
+/// An image file as it is: any channels, any depth. Throws InputError with one sentence; the image libraries under
+/// OpenCV print nothing.
+cv::Mat read_image(const std::string& path);
 /// A disparity map in colour, from blue for 0 to red for disparities-1 pixels, black where it is not valid.
 cv::Mat colored(const DisparityMap& map, int disparities);
 /// The bytes of a PNG file.

@@ -10,8 +10,8 @@ namespace stereo::app {
 /// Writes all of a command's files or none: they stand under temporary names until `commit` gives them their own.
 class OutputFolder {
   public:
-   /// Creates the folder where it is missing. Throws InputError when that fails.
-   explicit OutputFolder(const std::string& path);
+   /// Creates the folder where it is missing. Throws InputError, which names the option, when that fails.
+   explicit OutputFolder(const std::string& path, const std::string& option = "--out");
    /// Removes what was not committed.
    ~OutputFolder();
    OutputFolder(const OutputFolder&) = delete;
@@ -26,6 +26,7 @@ class OutputFolder {
    std::filesystem::path temporary(const std::string& name) const;
 
    std::filesystem::path path_;
+   std::string option_;
    std::vector<std::string> names_;
 };
 
