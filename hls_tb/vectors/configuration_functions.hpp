@@ -5,6 +5,7 @@
 
 #include <ostream>
 
+#include "built_configurations.hpp"  // made by CMake: STEREO_BUILT_CONFIGURATIONS
 #include "configurations.hpp"
 #include "vectors/stimulus.hpp"
 
@@ -20,7 +21,7 @@ struct ConfigurationFunctions {
    ConfigurationFunctions functions();                      \
    void trace(const Stimulus& stimulus, std::ostream& out); \
    }
-STEREO_FOR_EACH_CONFIGURATION(STEREO_DECLARE)
+STEREO_BUILT_CONFIGURATIONS(STEREO_DECLARE)
 #undef STEREO_DECLARE
 
 }  // namespace stereo

@@ -5,11 +5,6 @@
 
 #include "vectors/configuration_functions.hpp"
 
-// A build for a few configurations names them: STEREO_CONFIGURATIONS in CMakeLists.txt.
-#ifndef STEREO_BUILT_CONFIGURATIONS
-#define STEREO_BUILT_CONFIGURATIONS STEREO_FOR_EACH_CONFIGURATION
-#endif
-
 namespace stereo {
 const std::vector<Configuration>& configuration_table() {
    static const std::vector<Configuration> table = [] {
