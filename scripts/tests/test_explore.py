@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The parameter study: what is measured, estimated or absent, which choices are on the front, and the whole command."""
+
+import csv
+import json
+import os
+import shlex
+import subprocess
+from pathlib import Path
+
+import pytest
+from flow import explore, figures, hardware_cost, performance
+from flow.families import STUDY, family
+from flow.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
+from flow.tools import GENERATED_RTL, configurations, find_stereo_hls
+from flow_commands import call, refused
+
+TABLE = configurations()
+
+
+class Known:
+    """A configuration with a result of our making."""
+
+    def __init__(self, name, luts):
+        self.parameters = TABLE[name]
+        self.targets = {} if luts is None else {"ecp5": {"luts": luts}}
+
+
+LUTS = {"study": 5000, "study_recursive": 4500, "study_w3": 3000, "study_w7": 8000, "study_census": None, "study_xsobel": 5600, "study_texture": 6100,
+        "study_median": 5300, "study_subpixel": 5400, "study_left_right": 6000, "study_ssd": 7000, "study_uniqueness": 5800, "study_left": 4900,
+        "study_p2": 1, "study_cost1": 1, "ambrosch2007": 15000}
+
+
+def made_up():
+    return Family({name: Known(name, luts) for name, luts in LUTS.items()})
+
+
+def options(**changes):
+    return {**TABLE["study"], **changes}
+
+
+def test_a_configuration_of_the_family_is_measured():
+    """Of direct and recursive sums the smaller one; other depths and pixels a clock do not count."""
+    assert made_up().cost(options()) == hardware_cost.Cost(MEASURED, 4500, ("study_recursive",))
+    assert made_up().cost(options(window_px=7)).luts == 8000
+    assert made_up().cost(options(left_right_threshold=3)).sources == ("study_left_right",)
+    assert made_up().measured == sorted(name for name, luts in LUTS.items() if luts is not None and name not in ("study_p2", "study_cost1", "ambrosch2007"))
+
+
+def test_several_options_are_estimated_by_what_each_costs_alone():
+    cost = made_up().cost(options(window_px=3, median=True))
+    assert cost == hardware_cost.Cost(ESTIMATE, 4500 + (3000 - 4500) + (5300 - 4500), ("study", "study_w3", "study_median"))
+    texture = made_up().cost(options(prefilter="xsobel", texture_threshold=9, median=True))
+    assert texture.luts == 4500 + (5600 - 4500) + (6100 - 5600) + (5300 - 4500), "the texture check alone, without its prefilter"
+
+
+def test_other_disparities_are_in_proportion():
+    assert made_up().cost(options(disparities=64)) == hardware_cost.Cost(ESTIMATE, 4 * 4500, ("study_recursive",))
+    assert "gives 18,750 LUT4, measured are 15,000: +25 %" in made_up().scale_check()
+    assert Family({"study": Known("study", 1)}).scale_check() is None
+
+
+def test_an_option_that_is_not_measured_makes_the_cost_absent():
+    cost = made_up().cost(options(cost="census", window_px=9, median=True))
+    assert (cost.kind, cost.luts, cost.missing) == (ABSENT, None, ("window 9x9", "census 5x5"))
+    assert Family({"study": Known("study", None)}).cost(options(median=True)).missing == ("the plain core",)
+
+
+def test_committed_results():
+    """Each configuration with a result of its own costs what its file says, or less with the other sums."""
+    committed = Family()
+    assert "study" in committed.measured
+    for name in committed.measured:
+        configuration = performance.Configuration(name, stale_is_none=True)
+        cost = committed.cost(configuration.parameters)
+        assert cost.kind == MEASURED and cost.luts <= figures.lut_count(configuration.targets["ecp5"])
+
+
+def test_switches_are_options_of_the_study_family():
+    for switch, name in {**explore.SWITCHES, **explore.COSTS}.items():
+        assert family(name) == STUDY and (GENERATED_RTL / name / "manifest.json").is_file()
+        found = Family().options_of(name)
+        assert set(found) <= set(hardware_cost.OPTIONS) and (found or name == "study"), switch
+
+
+def test_no_core_has_census_with_a_prefilter():
+    sweep = explore.Sweep([5], ["sad", "census"], [16], ["xsobel", "texture"])
+    found, refused_ones = explore.choices(sweep, Family())
+    assert [choice.title for choice in found] == ["sad 5x5", "sad 5x5 xsobel", "sad 5x5 xsobel texture", "census 5x5"] and refused_ones == 4
+
+
+def test_front_is_what_no_other_choice_beats(rng):
+    for _ in range(200):
+        table = [{"luts": rng.choice([None, *range(1, 9)]), "bad": rng.randrange(8), "disparities": rng.choice([16, 64])} for _ in range(rng.randrange(1, 25))]
+        explore.mark_front(table, "bad")
+        for row in table:
+            rivals = [other for other in table if other["disparities"] == row["disparities"] and other["luts"] is not None]
+            beaten = row["luts"] is None or any(
+                (o["luts"] <= row["luts"] and o["bad"] < row["bad"]) or (o["luts"] < row["luts"] and o["bad"] <= row["bad"]) for o in rivals)
+            twins = [o for o in table if (o["luts"], o["bad"], o["disparities"]) == (row["luts"], row["bad"], row["disparities"])]
+            assert not (row["front"] and beaten)
+            assert beaten or sum(o["front"] for o in twins) == 1, "of equal ones the first"
+
+
+# --- the command ------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def explored(tmp_path_factory):
+    """(process, folder) of a small sweep on one scene and, given by its files, on the same scene again."""
+    folder = tmp_path_factory.mktemp("explore")
+    scene = folder / "pair"
+    subprocess.run([find_stereo_hls(), "scene", "--width", "120", "--height", "80", "--disparities", "16", "--seed", "3", "--out", scene], check=True, capture_output=True)
+    pair = [scene / name for name in ("left.png", "right.png", "disparity_left.png", "disparity_right.png")]
+    process = call("explore.py", "--pair", *pair, "--scenes", 1, "--window", 3, 5, "--cost", "sad", "census", "--switch", "left_right", "--range", 16,
+                   "--out", folder / "out", "--jobs", 2)
+    assert process.returncode == 0, process.stdout + process.stderr
+    return process, folder / "out"
+
+
+def test_files_of_a_sweep(explored):
+    process, out = explored
+    content = json.loads((out / "explore.json").read_text())
+    assert content["format"] == explore.FORMAT and len(content["choices"]) == 8
+    assert "8 choices of options on 2 pairs (pair, scene 1)" in process.stdout
+    assert (out / "front.png").read_bytes().startswith(b"\x89PNG") and (out / "front.png").stat().st_size > 10_000
+    with open(out / "explore.csv", newline="") as file:
+        lines = list(csv.DictReader(file))
+    assert [line["title"] for line in lines] == [row["title"] for row in content["choices"]]
+    for line, row in zip(lines, content["choices"]):
+        assert float(line["bad_1_invalid_bad_percent"]) == pytest.approx(row["bad_1_invalid_bad_percent"], rel=1e-4)
+        assert line["luts_are"] == row["luts_are"] and line["luts"] == ("" if row["luts"] is None else str(row["luts"]))
+
+
+def test_rows_are_what_their_commands_print(explored, tmp_path):
+    """The mean over the pairs of what stereo_hls evaluate says when each command is called again."""
+    _, out = explored
+    for row in json.loads((out / "explore.json").read_text())["choices"][::3]:
+        masks = []
+        for line in row["commands"]:
+            words = shlex.split(line)
+            assert words[0] == explore.PROGRAM
+            subprocess.run([find_stereo_hls(), *words[1:], "--json", tmp_path / "again.json"], check=True, capture_output=True)
+            method = json.loads((tmp_path / "again.json").read_text())["methods"][0]
+            assert method["parameters"]["window_px"] == row["window"] and method["parameters"]["cost"] == row["cost"]
+            assert (method["parameters"]["left_right_threshold"] >= 0) == ("left_right" in row["switches"])
+            masks.append(method["masks"]["non_occluded"])
+        assert row["bad_2_valid_only_percent"] == pytest.approx(50 * sum(mask["bad_2"]["valid_only"] for mask in masks))
+        assert row["density_percent"] == pytest.approx(50 * sum(mask["density"] for mask in masks))
+
+
+def test_what_is_measured_is_said(explored):
+    process, out = explored
+    choices = {row["title"]: row for row in json.loads((out / "explore.json").read_text())["choices"]}
+    assert choices["sad 5x5"]["luts_are"] == choices["sad 3x3"]["luts_are"] == choices["sad 5x5 left_right"]["luts_are"] == MEASURED
+    assert choices["sad 3x3 left_right"]["luts_are"] == ESTIMATE
+    for word in ("measured:", "estimate:", "absent:", "Worth their LUTs, 16 disparities", "study_w3", "Measured configurations"):
+        assert word in process.stdout
+    for title, row in choices.items():
+        assert row["luts_are"] != ABSENT or (not row["front"] and row["luts_missing"])
+
+
+@pytest.mark.parametrize("arguments,words", [
+    (["--window", 1], ["--window", "2 ... 31"]),
+    (["--range", 300], ["--range", "2 ... 256"]),
+    (["--scenes", -1], ["--scenes"]),
+    (["--scenes", 0], ["no pair"]),
+    (["--jobs", 0], ["--jobs"]),
+    (["--pair", "no.png", "no.png", "-", "-"], ["no.png", "no such file"]),
+    (["--cost", "ncc"], ["invalid choice: 'ncc'"]),
+    (["--cost", "census", "--switch", "colour"], ["invalid choice: 'colour'"]),
+])
+def test_bad_options(tmp_path, arguments, words):
+    refused(call("explore.py", "--out", tmp_path / "out", *arguments), 2, *words)
+    assert not (tmp_path / "out" / "explore.json").exists()
+
+
+def test_a_folder_that_cannot_be(tmp_path):
+    (tmp_path / "file").write_text("")
+    refused(call("explore.py", "--out", tmp_path / "file" / "out"), 2, "cannot create")
+
+
+def stand_in(folder, answer):
+    """A program that evaluates wrongly, and does all else as the real one."""
+    program = folder / "stereo_hls"
+    program.write_text(f"""#!/usr/bin/python3
+import os, pathlib, sys
+if sys.argv[1] != "evaluate":
+    os.execv({str(Path(find_stereo_hls()).resolve())!r}, ["stereo_hls", *sys.argv[1:]])
+{answer}
+""")
+    program.chmod(0o755)
+    return {"STEREO_HLS": str(program)}
+
+
+@pytest.mark.parametrize("answer,code,words", [
+    ("print('stereo_hls: the truth is lost', file=sys.stderr); sys.exit(2)", 2, ["the truth is lost"]),
+    ("pathlib.Path(sys.argv[-1]).write_text('{}')", 4, ["something else than 'stereo-hls evaluation 1'"]),
+    ("pathlib.Path(sys.argv[-1]).write_text('{\"format\": \"stereo-hls evaluation 2\", \"methods\": [{\"parameters\": {}, \"masks\": {}}]}')", 4, ["something else"]),
+])
+def test_an_evaluation_that_fails(tmp_path, answer, code, words):
+    process = call("explore.py", "--scenes", 1, "--window", 3, "--cost", "sad", "--switch", "--range", 16, "--out", tmp_path / "out",
+                   environment=stand_in(tmp_path, answer))
+    refused(process, code, *words)
+    assert not [name for name in os.listdir(tmp_path / "out") if not name.startswith("scene")]
