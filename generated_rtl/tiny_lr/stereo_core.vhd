@@ -229,7 +229,7 @@ architecture rtl of stereo_core is
   signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 15;
   signal leftright_checked_disparity_0 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(12 downto 0);
-  signal leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
+  signal leftright_held_valid, leftright_holds_winners, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
   signal leftright_asking_tag_output_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_tag_valid : boolean;
   signal leftright_answered_tag_output_column, leftright_answered_tag_start_of_frame : boolean;
@@ -303,7 +303,7 @@ begin
     variable slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
     variable slice1other_cost_0_2_is_not_less, slice1winner1_cost_0_0_is_less, slice1winner2_cost_0_0_is_less : boolean;
     variable slice1best_cost_0_0_is_less, slice2other_cost_0_1_all, slice2other_cost_0_1_all_2 : boolean;
-    variable slice2winner1_cost_0_0_is_less : boolean;
+    variable slice2winner1_cost_0_0_is_less, leftright_held_valid_all : boolean;
     variable raster_group_choice : natural range 0 to 3;
     variable raster_group_choice_3, raster_group_choice_4 : natural range 0 to 15;
     variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
@@ -876,11 +876,15 @@ begin
       slice2best_tag_start_of_frame <= slice1best_tag_start_of_frame;
       slice2best_tag_end_of_line <= slice1best_tag_end_of_line;
       -- leftright
+      leftright_held_valid_all := (not leftright_holds_winners) and (((leftright_read_address / 4) = 1) or
+        (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_position <= (leftright_position + as_number(slice2best_tag_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= slice2best_tag_valid;
+      leftright_held_valid <= (not leftright_held_valid_all) and slice2best_tag_valid;
+      leftright_holds_winners <= leftright_holds_winners and (not slice2best_tag_valid) when leftright_held_valid_all
+        else leftright_holds_winners or slice2best_tag_valid;
       leftright_address_0 <= (to_integer(leftright_held_0(12 downto 4)) + leftright_held_position + 9) mod 16;
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
       leftright_asking_passed_0 <= to_integer(leftright_held_0(12 downto 12)) = 1;
@@ -933,6 +937,7 @@ begin
         leftright_position <= 0;
         leftright_held_position <= 0;
         leftright_held_valid <= false;
+        leftright_holds_winners <= false;
         leftright_address_0 <= 0;
         leftright_asking_tag_valid <= false;
         leftright_asking_tag_output_column <= false;

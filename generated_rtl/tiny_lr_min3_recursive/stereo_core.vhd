@@ -280,7 +280,7 @@ architecture rtl of stereo_core is
   signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 15;
   signal leftright_checked_disparity_0 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(12 downto 0);
-  signal leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
+  signal leftright_held_valid, leftright_holds_winners, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
   signal leftright_asking_tag_output_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_tag_valid : boolean;
   signal leftright_answered_tag_output_column, leftright_answered_tag_start_of_frame : boolean;
@@ -460,7 +460,7 @@ begin
     variable slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
     variable slice1other_cost_0_2_is_not_less, slice1winner1_cost_0_0_is_less, slice1winner2_cost_0_0_is_less : boolean;
     variable slice1best_cost_0_0_is_less, slice2other_cost_0_1_all, slice2other_cost_0_1_all_2 : boolean;
-    variable slice2winner1_cost_0_0_is_less : boolean;
+    variable slice2winner1_cost_0_0_is_less, leftright_held_valid_all : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 2047;
@@ -729,8 +729,11 @@ begin
       else
         slice0window_change_0_1_choice := 0;
       end if;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_1) when slice0window_entering_tag_leaves_window
-        else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_1);
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
       slice0window_entering_0_1 <= slice0cost_column_0_1;
       slice0window_entering_0_2 <= slice0cost_column_0_2;
@@ -933,8 +936,11 @@ begin
       else
         slice1window_change_0_1_choice := 0;
       end if;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_1) when slice0window_change_tag_leaves_window
-        else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_1);
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;
@@ -1170,11 +1176,15 @@ begin
       slice2best_tag_start_of_frame <= slice1best_tag_start_of_frame;
       slice2best_tag_end_of_line <= slice1best_tag_end_of_line;
       -- leftright
+      leftright_held_valid_all := (not leftright_holds_winners) and (((leftright_read_address / 4) = 1) or
+        (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_position <= (leftright_position + as_number(slice2best_tag_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= slice2best_tag_valid;
+      leftright_held_valid <= (not leftright_held_valid_all) and slice2best_tag_valid;
+      leftright_holds_winners <= leftright_holds_winners and (not slice2best_tag_valid) when leftright_held_valid_all
+        else leftright_holds_winners or slice2best_tag_valid;
       leftright_address_0 <= (to_integer(leftright_held_0(12 downto 4)) + leftright_held_position + 9) mod 16;
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
       leftright_asking_passed_0 <= to_integer(leftright_held_0(12 downto 12)) = 1;
@@ -1255,6 +1265,7 @@ begin
         leftright_position <= 0;
         leftright_held_position <= 0;
         leftright_held_valid <= false;
+        leftright_holds_winners <= false;
         leftright_address_0 <= 0;
         leftright_asking_tag_valid <= false;
         leftright_asking_tag_output_column <= false;

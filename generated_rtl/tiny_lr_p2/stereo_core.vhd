@@ -266,7 +266,7 @@ architecture rtl of stereo_core is
   signal leftright_answered_disparity_0, leftright_answered_disparity_1 : natural range 0 to 15;
   signal leftright_checked_disparity_0, leftright_checked_disparity_1 : natural range 0 to 15;
   signal leftright_held_0 : unsigned(21 downto 0);
-  signal leftright_held_valid, leftright_asking_passed_0, leftright_asking_passed_1 : boolean;
+  signal leftright_held_valid, leftright_holds_winners, leftright_asking_passed_0, leftright_asking_passed_1 : boolean;
   signal leftright_asking_tag_valid, leftright_asking_tag_output_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_passed_1 : boolean;
   signal leftright_answered_tag_valid, leftright_answered_tag_output_column : boolean;
@@ -356,7 +356,7 @@ begin
     variable slice1winner2_cost_0_0_is_less, slice1winner2_cost_1_0_is_less, slice1best_cost_0_0_is_less : boolean;
     variable slice1best_cost_1_0_is_less, slice2other_cost_0_1_all, slice2other_cost_0_1_is_not_less : boolean;
     variable slice2other_cost_1_1_is_not_less, slice2winner1_cost_0_0_is_less, slice2winner1_cost_1_0_is_less : boolean;
-    variable leftright_checked_passed_0_choice, leftright_checked_passed_0_choice_2 : boolean;
+    variable leftright_held_valid_all, leftright_checked_passed_0_choice, leftright_checked_passed_0_choice_2 : boolean;
     variable leftright_checked_passed_0_choice_3, leftright_checked_passed_0_choice_4 : boolean;
     variable leftright_checked_passed_1_choice, leftright_checked_passed_1_choice_2 : boolean;
     variable leftright_checked_passed_1_choice_3, leftright_checked_passed_1_choice_4 : boolean;
@@ -1214,6 +1214,8 @@ begin
       slice2best_tag_start_of_frame <= slice1best_tag_start_of_frame;
       slice2best_tag_end_of_line <= slice1best_tag_end_of_line;
       -- leftright
+      leftright_held_valid_all := (not leftright_holds_winners) and (((leftright_read_address / 4) = 1) or
+        (((leftright_read_address / 2) mod 2) = 1) or ((leftright_read_address mod 2) = 1));
       leftright_checked_passed_0_choice := (leftright_answered_disparity_0 / 4) = 1 when to_integer(leftright_found_0(2
         downto 2)) = 1 else (leftright_answered_disparity_0 / 4) = 0;
       leftright_checked_passed_0_choice_2 := (leftright_answered_disparity_0 mod 4) = 3 when
@@ -1234,7 +1236,9 @@ begin
       leftright_other_1_1 <= slice2other_winner_out_1;
       leftright_position <= (leftright_position + as_number(slice2best_tag_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= slice2best_tag_valid;
+      leftright_held_valid <= (not leftright_held_valid_all) and slice2best_tag_valid;
+      leftright_holds_winners <= (not slice2best_tag_valid) and leftright_holds_winners when leftright_held_valid_all
+        else slice2best_tag_valid or leftright_holds_winners;
       leftright_address_0 <= (leftright_held_position + to_integer(leftright_held_0(21 downto 4)) + 9) mod 16;
       leftright_address_1 <= (leftright_held_position + to_integer(leftright_held_0(21 downto 13)) + 9) mod 16;
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
@@ -1295,6 +1299,7 @@ begin
         leftright_position <= 0;
         leftright_held_position <= 0;
         leftright_held_valid <= false;
+        leftright_holds_winners <= false;
         leftright_address_0 <= 0;
         leftright_address_1 <= 0;
         leftright_asking_tag_valid <= false;
