@@ -760,42 +760,30 @@ begin
         transform_filtering_column_inside_0;
       transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      if transform_left_filter_feature_0_is_less then
-        transform_left_filter_feature_0_choice := -31;
-      else
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_difference;
-      end if;
+      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
+        transform_left_filter_feature_0_difference;
       transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
         transform_left_filter_feature_0_difference mod 64;
       transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
         transform_left_filter_feature_0_choice < 31 else 31;
       transform_left_filter_feature_1_difference := transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
       transform_left_filter_feature_1_is_less := transform_left_filter_feature_1_difference < (-31);
-      if transform_left_filter_feature_1_is_less then
-        transform_left_filter_feature_1_choice := -31;
-      else
-        transform_left_filter_feature_1_choice := transform_left_filter_feature_1_difference;
-      end if;
+      transform_left_filter_feature_1_choice := -31 when transform_left_filter_feature_1_is_less else
+        transform_left_filter_feature_1_difference;
       transform_left_filter_feature_1_choice_2 := 225 when transform_left_filter_feature_1_is_less else
         transform_left_filter_feature_1_difference mod 256;
       transform_left_filter_feature_1_choice_3 := transform_left_filter_feature_1_choice_2 when
         transform_left_filter_feature_1_choice < 31 else 31;
       transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
         transform_right_filter_column_2_0;
-      if transform_right_filter_feature_0_difference < (-31) then
-        transform_right_filter_feature_0_choice := -31;
-      else
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_difference;
-      end if;
+      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_difference < (-31) else
+        transform_right_filter_feature_0_difference;
       transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
         transform_right_filter_feature_0_choice < 31 else 31;
       transform_right_filter_feature_1_difference := transform_right_filter_column_0_1 -
         transform_right_filter_column_2_1;
-      if transform_right_filter_feature_1_difference < (-31) then
-        transform_right_filter_feature_1_choice := -31;
-      else
-        transform_right_filter_feature_1_choice := transform_right_filter_feature_1_difference;
-      end if;
+      transform_right_filter_feature_1_choice := -31 when transform_right_filter_feature_1_difference < (-31) else
+        transform_right_filter_feature_1_difference;
       transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice when
         transform_right_filter_feature_1_choice < 31 else 31;
       transform_filtering_row_inside_1_all := (not transform_filtering_row_inside_1) and (((leftright_read_address / 4)
@@ -1547,8 +1535,11 @@ begin
         slice1other_winner_0_1;
       slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice when slice0winner1_tag_first_column else
         slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := slice1other_winner_0_0 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
+      if slice0winner1_tag_valid then
+        slice1other_winner_0_1_choice_5 := slice1other_winner_0_0;
+      else
+        slice1other_winner_0_1_choice_5 := slice1other_winner_0_1;
+      end if;
       slice1other_winner_0_2_choice := 5 when slice0winner1_tag_valid else slice1other_winner_0_2;
       slice1other_winner_0_2_choice_2 := 5 when slice1other_cost_0_2_is_not_less else slice1other_winner_0_1;
       slice1other_winner_0_2_choice_3 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_valid else
@@ -1563,8 +1554,11 @@ begin
         slice1other_winner_1_1;
       slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice when slice0winner1_tag_first_column else
         slice1other_winner_1_1_choice_3;
-      slice1other_winner_1_1_choice_5 := slice1other_winner_1_0 when slice0winner1_tag_valid else
-        slice1other_winner_1_1;
+      if slice0winner1_tag_valid then
+        slice1other_winner_1_1_choice_5 := slice1other_winner_1_0;
+      else
+        slice1other_winner_1_1_choice_5 := slice1other_winner_1_1;
+      end if;
       slice1other_winner_1_2_choice := 5 when slice0winner1_tag_valid else slice1other_winner_1_2;
       slice1other_winner_1_2_choice_2 := 5 when slice1other_cost_1_2_is_not_less else slice1other_winner_1_1;
       slice1other_winner_1_2_choice_3 := slice1other_winner_1_2_choice_2 when slice0winner1_tag_valid else
@@ -2470,7 +2464,11 @@ begin
       median_middle_0_1_choice_4 := median_middle_0_1 when median_at_behind else median_middle_0_1_choice_3;
       median_high_0_0_choice := median_middle_0_0_choice when median_middle_0_0_is_less else median_column_2 / 2;
       median_high_0_0_choice_2 := median_high_0_0 when median_at_behind else median_high_0_0_choice;
-      median_high_0_1_choice := median_middle_0_1_choice when median_middle_0_1_is_less else median_low_0_1_choice;
+      if median_middle_0_1_is_less then
+        median_high_0_1_choice := median_middle_0_1_choice;
+      else
+        median_high_0_1_choice := median_low_0_1_choice;
+      end if;
       median_high_0_1_choice_2 := median_high_0_1 when median_at_behind else median_high_0_1_choice;
       if median_passed_1_0_any then
         median_low_0_0 <= median_low_0_0_choice_4;

@@ -728,8 +728,11 @@ begin
       slice1other_winner_0_1_choice := 4 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_0;
       slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
         slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_0 when slice0winner1_tag_valid else
-        slice1other_winner_0_1;
+      if slice0winner1_tag_valid then
+        slice1other_winner_0_1_choice_3 := slice1other_winner_0_0;
+      else
+        slice1other_winner_0_1_choice_3 := slice1other_winner_0_1;
+      end if;
       slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
         slice1other_winner_0_1_choice_3;
       slice1other_winner_0_1_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_0_1;
