@@ -762,13 +762,20 @@ begin
       else
         median_low_0_0_choice_3 := median_low_0_0_choice_2;
       end if;
-      median_low_0_0_choice_4 := median_low_0_0_choice when median_low_0_0_choice < median_low_0_0_choice_3 else
-        median_low_0_0_choice_3;
+      if median_low_0_0_choice < median_low_0_0_choice_3 then
+        median_low_0_0_choice_4 := median_low_0_0_choice;
+      else
+        median_low_0_0_choice_4 := median_low_0_0_choice_3;
+      end if;
       median_low_0_0_choice_5 := median_low_0_0 when median_at_behind else median_low_0_0_choice_4;
       median_low_1_0_all := median_at_arrives and median_complete_is_equal;
       median_middle_0_0_choice := median_low_0_0_choice_2 when median_low_0_0_is_less else median_column_1 / 2;
       median_middle_0_0_is_less := median_low_0_0_choice < median_middle_0_0_choice;
-      median_middle_0_0_choice_2 := median_low_0_0_choice when median_middle_0_0_is_less else median_middle_0_0_choice;
+      if median_middle_0_0_is_less then
+        median_middle_0_0_choice_2 := median_low_0_0_choice;
+      else
+        median_middle_0_0_choice_2 := median_middle_0_0_choice;
+      end if;
       median_middle_0_0_choice_3 := median_low_0_0_choice_3 when median_middle_0_0_choice_2 < median_low_0_0_choice_3
         else median_middle_0_0_choice_2;
       median_middle_0_0_choice_4 := median_middle_0_0 when median_at_behind else median_middle_0_0_choice_3;

@@ -906,8 +906,11 @@ begin
       median_median_middle_0_choice_3 := median_middle_1_0 when median_median_middle_0_is_less else median_middle_0_0;
       median_smallest_high_0_choice := median_high_1_0 when median_high_1_0 < median_high_0_0 else median_high_0_0;
       median_out_disparity_0_is_less := median_median_middle_0 < median_largest_low_0;
-      median_out_disparity_0_choice := median_largest_low_0 when median_out_disparity_0_is_less else
-        median_median_middle_0;
+      if median_out_disparity_0_is_less then
+        median_out_disparity_0_choice := median_largest_low_0;
+      else
+        median_out_disparity_0_choice := median_median_middle_0;
+      end if;
       median_out_disparity_0_choice_2 := median_smallest_high_0 when median_smallest_high_0 <
         median_out_disparity_0_choice else median_out_disparity_0_choice;
       median_out_disparity_0_choice_3 := median_median_middle_0 when median_out_disparity_0_is_less else
@@ -995,10 +998,17 @@ begin
       median_middle_0_0_choice := median_low_0_0_choice_2 when median_low_0_0_is_less else median_column_1 / 2;
       median_middle_0_0_is_less := median_low_0_0_choice < median_middle_0_0_choice;
       median_middle_0_0_choice_2 := median_low_0_0_choice when median_middle_0_0_is_less else median_middle_0_0_choice;
-      median_middle_0_0_choice_3 := median_low_0_0_choice_3 when median_middle_0_0_choice_2 < median_low_0_0_choice_3
-        else median_middle_0_0_choice_2;
+      if median_middle_0_0_choice_2 < median_low_0_0_choice_3 then
+        median_middle_0_0_choice_3 := median_low_0_0_choice_3;
+      else
+        median_middle_0_0_choice_3 := median_middle_0_0_choice_2;
+      end if;
       median_middle_0_0_choice_4 := median_middle_0_0 when median_at_behind else median_middle_0_0_choice_3;
-      median_high_0_0_choice := median_middle_0_0_choice when median_middle_0_0_is_less else median_low_0_0_choice;
+      if median_middle_0_0_is_less then
+        median_high_0_0_choice := median_middle_0_0_choice;
+      else
+        median_high_0_0_choice := median_low_0_0_choice;
+      end if;
       median_high_0_0_choice_2 := median_high_0_0 when median_at_behind else median_high_0_0_choice;
       if not median_passed_1_0_all then
         median_low_0_0 <= median_low_0_0_choice_6;

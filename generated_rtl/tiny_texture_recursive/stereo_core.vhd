@@ -1093,8 +1093,11 @@ begin
         texturecost_write_words_0 <= texturecost_column_0_0_choice_2;
       end if;
       -- texturewindow
-      texturewindow_change_0_0_choice := to_integer(texturewindow_leaving_0) when
-        slice0window_entering_tag_leaves_window else 0;
+      if slice0window_entering_tag_leaves_window then
+        texturewindow_change_0_0_choice := to_integer(texturewindow_leaving_0);
+      else
+        texturewindow_change_0_0_choice := 0;
+      end if;
       texturewindow_entering_0_0 <= texturecost_column_0_0;
       texturewindow_change_0_0 <= texturewindow_entering_0_0 - texturewindow_change_0_0_choice;
       texturewindow_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else texturewindow_sum_0_0;

@@ -623,8 +623,11 @@ begin
       else
         slice0window_change_0_1_choice := 0;
       end if;
-      slice0window_change_0_2_choice := to_integer(slice0window_leaving_1) when slice0window_entering_tag_leaves_window
-        else 0;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_1);
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
       slice0window_entering_0_0 <= slice0cost_column_0_0;
       slice0window_entering_0_1 <= slice0cost_column_0_1;
       slice0window_entering_0_2 <= slice0cost_column_0_2;
@@ -763,8 +766,11 @@ begin
       else
         slice1window_change_0_1_choice := 0;
       end if;
-      slice1window_change_0_2_choice := to_integer(slice1window_leaving_1) when slice0window_change_tag_leaves_window
-        else 0;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_1);
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
       slice1window_entering_0_0 <= slice1cost_column_0_0;
       slice1window_entering_0_1 <= slice1cost_column_0_1;
       slice1window_entering_0_2 <= slice1cost_column_0_2;

@@ -3,6 +3,7 @@
 
 import hashlib
 import os
+import re
 import shutil
 import threading
 from pathlib import Path
@@ -183,7 +184,11 @@ def to_verilog(vhdl_files, work_directory, top="stereo_core", generics=None):
     folder.mkdir(parents=True, exist_ok=True)
     run([ghdl, "-a", GHDL_STANDARD, *vhdl_files], cwd=folder, log=folder / "analyse.log")
     values = [f"-g{name}={value}" for name, value in (generics or {}).items()]
-    verilog = run([ghdl, "--synth", GHDL_STANDARD, *values, "--out=verilog", top], cwd=folder)
+    log = folder / "synth.log"
+    verilog = run([ghdl, "--synth", GHDL_STANDARD, *values, "--out=verilog", top], cwd=folder, log=log)
+    lost = re.search(r".*warning: no assignment for offset.*", log.read_text())
+    if lost:
+        raise FlowError(f"ghdl --synth leaves bits without a value: {lost.group()}", 4)
     if f"module {top}" not in verilog:
         raise FlowError(f"ghdl --synth did not write a module {top}", 4)
     return verilog

@@ -9,7 +9,8 @@ from flow.errors import FlowError
 from flow.rtl import netlist, nodes as n
 from flow.rtl.evaluate import compile_step, initial_state
 from flow.rtl.ranges import narrow_registers
-from flow.rtl.vhdl_writer import VhdlWriter, control_registers, split_hold
+from flow.rtl.reset import control_registers, split_hold
+from flow.rtl.vhdl_writer import VhdlWriter
 from flow.simulators import Ghdl, to_verilog
 from flow.tools import GENERATED_RTL
 
@@ -125,6 +126,24 @@ def memory_design():
     address.next, word.next = n.wrap(n.add(address.value, n.const(1)), 3), memory.data
     outputs = {"disparity": word.value, "pixel_valid": n.const(1), "disparity_valid": n.const(1), "disparity_start_of_frame": n.const(0), "disparity_end_of_line": n.const(0)}
     return netlist.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
+
+
+def test_reset_reaches_flags_through_a_memory():
+    """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data alone."""
+    design = memory_design()
+    flag, data = (netlist.Register(name, n.leaf("register", name, width)) for name, width in (("flag", 1), ("data", 7)))
+    flag.next, data.next = n.wrap(design.inputs["left_pixel"], 1), n.wrap(design.inputs["left_pixel"], 7)
+    design.registers += [flag, data]
+    memory, word = design.memories[0], design.registers[1]
+    memory.write_data = n.add(flag.value, n.shift_left(data.value, 1))
+    names = [r.name for r in control_registers(design).values()]
+    assert names == ["m_address"]
+    design.outputs["disparity_valid"] = n.wrap(word.value, 1)
+    assert sorted(r.name for r in control_registers(design).values()) == ["flag", "m_address"]
+    design.outputs["disparity_valid"] = n.wrap(n.shift_right(word.value, 3), 1)
+    assert sorted(r.name for r in control_registers(design).values()) == ["data", "m_address"]
+    design.outputs["disparity_valid"] = n.equal(word.value, n.const(5))
+    assert sorted(r.name for r in control_registers(design).values()) == ["data", "flag", "m_address"]
 
 
 def test_memories_become_the_cell():

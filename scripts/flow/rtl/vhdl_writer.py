@@ -7,10 +7,10 @@ from collections import Counter
 from ..errors import EXIT_TOOL_FAILED, FlowError
 from .expressions import Writer, is_wide, type_of, without_outer_parentheses
 from .netlist import Register
-from .nodes import bit_not, walk
+from .nodes import walk
+from .reset import WORDS, control_registers, memory_read_register, split_hold
 
 LINE = 120
-WORDS = ("disparity", "pixel_valid")  # outputs of a lane for each row; they count only where disparity_valid is 1
 PORTS = """\
     clock : in std_logic;
     reset : in std_logic;  -- synchronous, active high
@@ -67,45 +67,6 @@ HELPERS = """\
 """
 _VARIABLE_KINDS = {"lt": "is_less", "ge": "is_not_less", "eq": "is_equal", "ne": "differs", "add": "sum", "sub": "difference", "mul": "product",
                    "mux": "choice", "and": "all", "or": "any", "not": "inverse", "abs": "magnitude", "folded": "folded_value", "positive": "positive_value"}
-
-
-def split_hold(register):
-    """(condition, value): the register takes value when the condition holds; condition None: always."""
-    node = register.next
-    if node.op == "mux":
-        condition, yes, no = node.args
-        if no is register.value:
-            return condition, yes
-        if yes is register.value:
-            return bit_not(condition), no
-    return None, node
-
-
-def memory_read_register(netlist, memory):
-    """(register, enable) that takes a memory's data and nothing else does, as a synchronous read port needs it."""
-    users = [n for n in walk(netlist.roots()) if memory.data in n.args]
-    takers = [r for r in netlist.registers if split_hold(r)[1] is memory.data]
-    direct = sum(1 for root in netlist.roots() if root is memory.data)
-    if len(takers) != 1 or len(users) + direct != 1:
-        raise FlowError(f"the read data of memory {memory.name} must go into one register and nowhere else", EXIT_TOOL_FAILED)
-    return takers[0], split_hold(takers[0])[0]
-
-
-def control_registers(netlist):
-    """The registers that a reset must set: all that flags, enables and memory addresses depend on.
-
-    The others hold pixels and costs, which no flag announces before new ones have replaced them.
-    """
-    roots = [node for name, node in netlist.outputs.items() if name not in WORDS]
-    roots += [m.read_address for m in netlist.memories] + [m.write_address for m in netlist.memories]
-    roots += [c for c in (split_hold(r)[0] for r in netlist.registers) if c is not None]
-    by_value = {id(r.value): r for r in netlist.registers}
-    found, frontier = {}, roots
-    while frontier:
-        new = [by_value[id(n)] for n in walk(frontier) if id(n) in by_value and id(n) not in found]
-        found.update((id(r.value), r) for r in new)
-        frontier = [r.next for r in new]
-    return found
 
 
 class VhdlWriter:
@@ -256,14 +217,22 @@ class VhdlWriter:
         self.names[id(node)] = (name, is_wide(node))
         return lines
 
+    def _has_shape_of(self, target, node):
+        """Whether a node is a constant, or stands there by name with the type of the target but for its limits."""
+        if node.op == "const":
+            return True
+        _, is_word = self.names.get(id(node), (None, None))
+        return is_word == is_wide(target) and (node.is_bit, node.low < 0, node.width) == (target.is_bit, target.low < 0, target.width)
+
     def _conditional(self, name, target):
-        """A choice of computed or converted numbers as an if statement, since GHDL's synthesis breaks off at a conditional
-        assignment of such a number to a variable; None for any other choice."""
+        """A choice of numbers as an if statement; None where a conditional assignment to a variable is safe. GHDL 2.0's
+        synthesis gives such an assignment the width of its first values: it breaks off, or leaves upper bits without a value,
+        unless these are constants or named numbers as wide as the variable."""
         choices, node = [], target
         while node.op == "mux" and id(node) not in self.names:
             choices.append((node.args[0], node.args[1]))
             node = node.args[2]
-        if target.is_bit or all(re.fullmatch(r"\w+", self._plain_text(value, target)) for _, value in choices):
+        if target.is_bit or all(self._has_shape_of(target, value) for _, value in choices):
             return None
         lines, word = [], "if"
         for condition, value in choices:
