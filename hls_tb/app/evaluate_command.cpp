@@ -7,15 +7,14 @@
 #include <iostream>
 #include <optional>
 
-#include "app/commands.hpp"
 #include "app/disparity_files.hpp"
 #include "app/errors.hpp"
 #include "app/evaluation.hpp"
+#include "app/images.hpp"
+#include "app/named_matching.hpp"
 #include "app/opencv_matchers.hpp"
 #include "app/options_json.hpp"
 #include "app/output_folder.hpp"
-#include "models/fast_model.hpp"
-#include "vectors/matching_parameters.hpp"
 
 namespace stereo::app {
 namespace {
@@ -88,15 +87,9 @@ auto timed(EvaluatedMethod& method, Match match) {
 }
 
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
-   const MatchingParameters parameters =
-       with_options(matching_parameters(require_configuration(name).config), arguments.settings);
+   const MatchingParameters parameters = named_parameters(name, arguments.settings);
    EvaluatedMethod method{name, "core", parameters.reference, options_json(parameters), 0, {}};
-   DisparityMap map;
-   try {
-      map = timed(method, [&] { return match_fast(truth.pair.left, truth.pair.right, parameters); });
-   } catch (const std::invalid_argument& problem) {
-      throw InputError("--config " + name + ": " + problem.what());
-   }
+   const DisparityMap map = timed(method, [&] { return match_named(name, truth.pair, parameters); });
    score(method, at_image_size(map, parameters, truth.pair.left.width), truth);
    return method;
 }

@@ -12,6 +12,7 @@
 #include "app/output_folder.hpp"
 #include "app/overview.hpp"
 #include "app/truth.hpp"
+#include "app/vertical_offset.hpp"
 #include "models/fast_model.hpp"
 #include "vectors/matching_parameters.hpp"
 
@@ -113,6 +114,7 @@ void match(const MatchArguments& arguments) {
    const Configuration& configuration = require_configuration(arguments.config);
    const MatchingParameters parameters = matching_parameters(configuration.config);
    const ImagePair pair = load_pair_to_match(arguments, configuration);
+   std::cout << rectification_warning(pair);
    const auto start = std::chrono::steady_clock::now();
    const DisparityMap map = arguments.engine == Engine::fast ? match_fast(pair.left, pair.right, parameters)
                                                              : match_clocked(pair, configuration);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(const std::string& path, const std::string& option) : path_(path), option_(option) {
    std::error_code error;
-   fs::create_directories(path_, error);
+   is_new_ = fs::create_directories(path_, error);
    if (!fs::is_directory(path_))
       throw InputError(option_ + " " + path + ": the folder cannot be created" +
                        (error ? " (" + error.message() + ")" : "") + "; give one that can be written");
@@ -23,6 +23,7 @@ OutputFolder::OutputFolder(const std::string& path, const std::string& option) :
 OutputFolder::~OutputFolder() {
    std::error_code ignored;
    for (const std::string& name : names_) fs::remove(temporary(name), ignored);
+   if (is_new_ && fs::is_empty(path_, ignored)) fs::remove(path_, ignored);
 }
 
 fs::path OutputFolder::temporary(const std::string& name) const {
@@ -41,10 +42,10 @@ void OutputFolder::add(const std::string& name, const std::string& content) {
                        " cannot be written there; check space and rights");
 }
 
-void OutputFolder::commit() {
+void OutputFolder::commit(Says says) {
    for (const std::string& name : names_) {
       fs::rename(temporary(name), path_ / name);
-      std::cout << (path_ / name).string() << '\n';
+      if (says == Says::every_path) std::cout << (path_ / name).string() << '\n';
    }
    names_.clear();
 }

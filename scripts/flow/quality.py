@@ -25,7 +25,7 @@ BM, SGBM = "StereoBM", "StereoSGBM"
 # (title, base configuration, options that differ from it beside the disparity range)
 _NO_CHECKS = ("uniqueness_percent=0", "texture_threshold=0")
 _PLAIN = ("reference=left", "ties=largest", "subpixel=true")
-_CENSUS_7X5 = (*_PLAIN, "cost=census", "census_width_px=7", "census_height_px=5", "window_px=9", "median=true")
+_CENSUS_9X3 = (*_PLAIN, "ties=smallest", "cost=census", "census_width_px=9", "census_height_px=3", "window_px=9", "median=true")
 OURS = [
     ("SAD 3x3, the paper's", "ambrosch2007", ()),
     ("SAD 9x9, left reference, subpixel", "ambrosch2007", (*_PLAIN, "window_px=9")),
@@ -35,12 +35,12 @@ OURS = [
     ("as StereoBM, without its checks, median", "opencv_bm", (*_NO_CHECKS, "median=true")),
     ("census 5x5, window 5x5", "ambrosch2007", (*_PLAIN, "cost=census", "window_px=5")),
     ("census 5x5, window 9x9", "ambrosch2007", (*_PLAIN, "cost=census", "window_px=9")),
-    ("census 7x5, window 9x9, median", "ambrosch2007", _CENSUS_7X5),
-    ("census 7x5, window 9x9, median, right reference", "ambrosch2007", (*_CENSUS_7X5, "reference=right")),
-    ("census 7x5, window 9x9, median, left/right check 1", "ambrosch2007", (*_CENSUS_7X5, "left_right_threshold=1")),
-    ("census 7x5, window 9x9, median, uniqueness 5 %", "ambrosch2007", (*_CENSUS_7X5, "uniqueness_percent=5")),
-    ("census 9x7, window 7x7, median", "ambrosch2007",
-     (*_CENSUS_7X5, "census_width_px=9", "census_height_px=7", "window_px=7")),
+    ("census 9x3, window 9x9, median", "ambrosch2007", _CENSUS_9X3),
+    ("census 9x3, window 9x9, median, right reference", "ambrosch2007", (*_CENSUS_9X3, "reference=right")),
+    ("census 9x3, window 9x9, median, left/right check 1", "ambrosch2007", (*_CENSUS_9X3, "left_right_threshold=1")),
+    ("census 9x3, window 9x9, median, uniqueness 5 %", "ambrosch2007", (*_CENSUS_9X3, "uniqueness_percent=5")),
+    ("census 9x3, window 8x8, median", "ambrosch2007", (*_CENSUS_9X3, "window_px=8")),
+    ("census 9x5, window 8x8, median", "ambrosch2007", (*_CENSUS_9X3, "census_height_px=5", "window_px=8")),
 ]
 PAIR_DISPARITIES = 48
 SCENE_DISPARITIES = 64
