@@ -39,6 +39,7 @@ class Simulator:
         """Does nothing when the same sources were built here before."""
         key = hashlib.sha256(repr(self.trace).encode())
         for path in [*self.vhdl_files, *self._bench_files(), Path(__file__)]:
+            key.update(str(path.resolve()).encode())  # GHDL looks at the file again when it runs
             key.update(path.read_bytes())
         stamp = self.work / "built"
         if stamp.is_file() and stamp.read_text() == key.hexdigest():

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulation of the committed VHDL against the C++ core, as users run it."""
 
+import shutil
 import xml.etree.ElementTree as xml
 
 import pytest
 from flow_commands import cosim, random_pair, report, scene
-from flow.tools import ROOT, configuration
+from flow.tools import GENERATED_RTL, ROOT, configuration
 
 # Outputs a frame: each is a column of as many rows as enter in a clock.
 OUTPUTS = {"tiny": 24 * 12, "tiny_p2": 24 * 6, "tiny_p4": 24 * 3, "ambrosch2007": 220 * 240, "ambrosch2007_p2": 220 * 120, "ambrosch2007_p4": 220 * 60}
@@ -89,6 +90,15 @@ def test_ambrosch2007_real_pair(ghdl, tmp_path):
     process = cosim("ambrosch2007", (folder / "left.png", folder / "right.png"), tmp_path, "--fit", "crop")
     passed(process, tmp_path, OUTPUTS["ambrosch2007"])
     assert "crop" in process.stdout, "what was done to the images is said"
+
+
+def test_vhdl_that_has_moved_is_analysed_again(ghdl, pairs, tmp_path):
+    """GHDL opens the files that it has analysed when it runs them."""
+    for place in ("here", "there"):
+        rtl = tmp_path / place / "tiny_p2"
+        shutil.copytree(GENERATED_RTL / "tiny_p2", rtl)
+        passed(cosim("tiny_p2", pairs["tiny_p2"], tmp_path / "out", "--rtl", rtl), tmp_path / "out", OUTPUTS["tiny_p2"])
+        shutil.rmtree(rtl)
 
 
 def test_junit_of_a_pass(ghdl, pairs, tmp_path):

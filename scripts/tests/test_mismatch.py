@@ -3,14 +3,19 @@
 
 import io
 import re
+import shutil
 
 import pytest
 from browser import look
 from conftest import need
+from flow import cosim as flow_cosim
 from flow import mismatch, pictures, waveform
 from flow.tools import configuration
 from flow.vcd import Values, cut
 from flow_commands import altered_rtl, call, cosim, random_pair, report
+
+pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
+from test_report import fill  # noqa: E402
 
 numpy, Image = pictures.libraries()
 WINNER = (r"(slice2best_index_0_0 <= )slice1best_index_0_0 when", r"\g<1>slice1best_index_0_0 / 2 when")
@@ -159,6 +164,25 @@ def test_a_pass_removes_the_page_of_an_earlier_failure(ghdl, tmp_path):
     assert process.returncode == 0 and not any((out / name).exists() for name in mismatch.FILES)
 
 
+def test_a_late_mismatch_has_a_page_without_a_wave(ghdl, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(flow_cosim, "AUTOMATIC_WAVE_CLOCKS", 10)
+    left, right = random_pair(tmp_path / "pair", "tiny", levels=4)
+    result = flow_cosim.run_job(flow_cosim.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out"))
+    assert result["passed"] is False and "no waveform by itself beyond clock 10; --wave FILE makes one" in capsys.readouterr().out
+    assert (tmp_path / "out" / "failure.html").is_file() and not (tmp_path / "out" / "failure.vcd").exists()
+
+
+def test_a_surplus_output_has_no_place(ghdl, tmp_path):
+    """The last expected output is taken away from a run that agreed."""
+    out = tmp_path / "out"
+    assert cosim("tiny", random_pair(tmp_path / "pair", "tiny", levels=4), out).returncode == 0
+    lines = (out / "expected.txt").read_text().splitlines()
+    (out / "expected.txt").write_text("\n".join([lines[0].replace("outputs=288", "outputs=287"), *lines[1:-1]]) + "\n")
+    failure = mismatch.read(out, configuration("tiny"))
+    assert "surplus output" in failure.sentence and failure.around is None and failure.pictures[0].mark is None
+    assert "surplus output" in mismatch.write_page(out, configuration("tiny")).read_text()
+
+
 def test_without_matplotlib_the_verdict_stays(ghdl, tmp_path):
     (tmp_path / "modules").mkdir()
     (tmp_path / "modules" / "matplotlib.py").write_text("raise ImportError('none', name='matplotlib')")
@@ -172,10 +196,6 @@ def test_without_matplotlib_the_verdict_stays(ghdl, tmp_path):
 
 def test_page_of_a_demo_shows_the_failure(tiny, tmp_path):
     """The fragment of the failed co-simulation stands in the demo's page."""
-    import shutil
-
-    from test_report import fill
-
     folder = fill(tmp_path / "demo", "tiny")
     shutil.rmtree(folder / "cosim-ghdl")
     shutil.copytree(tiny[1], folder / "cosim-ghdl")

@@ -13,6 +13,7 @@ from flow.tools import find_stereo_hls
 from flow_commands import call, scene
 from test_demo import COSIM, COSIMS, change
 
+pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
 numpy, Image = pictures.libraries()
 
 
