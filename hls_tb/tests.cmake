@@ -45,7 +45,12 @@ gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit T
 # The models alone: they build in a fraction of the core's time.
 add_executable(
   stereo_model_tests
+  app/depth_test.cpp
   app/images_test.cpp
+  app/masks_test.cpp
+  app/measures_test.cpp
+  app/options_json_test.cpp
+  app/pfm_test.cpp
   app/truth_test.cpp
   models/fast_model_test.cpp
   models/matching_test.cpp
@@ -142,5 +147,8 @@ if(STEREO_CONFIGURATIONS)
   return()
 endif()
 stereo_add_pytest(NAME stereo_hls_cli FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_cli_test.py" LABELS unit)
+stereo_add_pytest(NAME stereo_hls_depth FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_depth_test.py" LABELS unit)
+stereo_add_pytest(NAME stereo_hls_evaluate FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_evaluate_test.py" LABELS unit)
 stereo_add_pytest(NAME stereo_hls_match FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_match_test.py" LABELS unit)
+stereo_add_pytest(NAME stereo_hls_video FILE "${CMAKE_CURRENT_SOURCE_DIR}/app/stereo_hls_video_test.py" LABELS unit)
 stereo_add_pytest(NAME run_pytest FILE "${CMAKE_CURRENT_SOURCE_DIR}/support/run_pytest_test.py" LABELS unit)

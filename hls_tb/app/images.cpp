@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/images.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "app/errors.hpp"
 #include "app/opencv_images.hpp"
+#include "app/silent_stderr.hpp"
 
 namespace stereo::app {
 namespace {
-
-/// The image libraries under OpenCV print complaints of their own; ours says it in one sentence.
-class SilentStderr {
-  public:
-   SilentStderr() : saved_(dup(STDERR_FILENO)) {
-      cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-      std::fflush(stderr);
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, STDERR_FILENO);
-      close(nowhere);
-   }
-   ~SilentStderr() {
-      std::fflush(stderr);
-      dup2(saved_, STDERR_FILENO);
-      close(saved_);
-   }
-   SilentStderr(const SilentStderr&) = delete;
-   SilentStderr& operator=(const SilentStderr&) = delete;
-
-  private:
-   int saved_;
-};
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 std::string size_text(const GrayImage& image) { return size_text(image.width, image.height); }
@@ -48,19 +22,6 @@ GrayImage from_mat(const cv::Mat& mat) {
    GrayImage image(mat.cols, mat.rows);
    mat.copyTo(as_mat(image));
    return image;
-}
-
-cv::Mat read_any(const std::string& path) {
-   if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such file");
-   cv::Mat mat;
-   try {
-      const SilentStderr silent;
-      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
-   } catch (const cv::Exception&) {
-      // Reported below, as an empty image.
-   }
-   if (mat.empty()) throw InputError(path + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
-   return mat;
 }
 
 GrayImage cropped(const GrayImage& image, int width, int height) {
@@ -89,6 +50,34 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
 
+cv::Mat read_image(const std::string& path) {
+   if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such file");
+   cv::Mat mat;
+   try {
+      const SilentStderr silent;
+      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
+   } catch (const cv::Exception&) {
+      // Reported below, as an empty image.
+   }
+   if (mat.empty()) throw InputError(path + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
+   return mat;
+}
+
+cv::Mat read_8_bit_image(const std::string& path) {
+   const cv::Mat mat = read_image(path);
+   if (mat.depth() != CV_8U)
+      throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
+                       " bits a channel but must have 8; convert it to an 8-bit image");
+   return mat;
+}
+
+GrayImage gray_of_any(const cv::Mat& mat) {
+   if (mat.channels() == 1) return from_mat(mat);
+   cv::Mat gray;
+   cv::cvtColor(mat, gray, mat.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+   return from_mat(gray);
+}
+
 cv::Mat colored(const DisparityMap& map, int disparities) {
    const int largest = std::max((disparities - 1) * map.steps_per_pixel(), 1);
    GrayImage shades = gray_of(map.disparity, map, [&](uint16_t value) { return value * 255 / largest; });
@@ -106,22 +95,21 @@ std::string encode(const cv::Mat& mat) {
 }
 
 GrayImage load_gray(const std::string& path) {
-   const cv::Mat mat = read_any(path);
-   if (mat.depth() != CV_8U)
-      throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
-                       " bits a channel but must have 8; convert it to an 8-bit image");
-   if (mat.channels() == 1) return from_mat(mat);
-   cv::Mat gray;
-   cv::cvtColor(mat, gray, mat.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
-   std::cout << path << ": colour image converted to grey\n";
-   return from_mat(gray);
+   const cv::Mat mat = read_8_bit_image(path);
+   if (mat.channels() > 1) std::cout << path << ": colour image converted to grey\n";
+   return gray_of_any(mat);
+}
+
+void require_same_size(const std::string& left, int left_width, int left_height, const std::string& right,
+                       int right_width, int right_height) {
+   if (left_width != right_width || left_height != right_height)
+      throw InputError("the images differ in size: " + left + " is " + size_text(left_width, left_height) + ", " +
+                       right + " is " + size_text(right_width, right_height) + "; give a pair of one size");
 }
 
 ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
    ImagePair pair{load_gray(left_path), load_gray(right_path)};
-   if (!pair.left.same_size(pair.right))
-      throw InputError("the images differ in size: " + left_path + " is " + size_text(pair.left) + ", " + right_path +
-                       " is " + size_text(pair.right) + "; give a rectified pair of one size");
+   require_same_size(left_path, pair.left.width, pair.left.height, right_path, pair.right.width, pair.right.height);
    return pair;
 }
 

@@ -12,6 +12,7 @@
 #include "app/output_folder.hpp"
 #include "app/overview.hpp"
 #include "app/truth.hpp"
+#include "app/vertical_offset.hpp"
 #include "models/fast_model.hpp"
 #include "vectors/matching_parameters.hpp"
 
@@ -36,15 +37,13 @@ ImagePair load_pair_to_match(const MatchArguments& arguments, const Configuratio
    return pair;
 }
 
-const char* reference_word(Reference reference) { return reference == Reference::left ? "left" : "right"; }
-
 TruthScore load_and_score(const MatchArguments& arguments, const DisparityMap& map,
                           const MatchingParameters& parameters, const GrayImage& reference) {
    const GrayImage truth = load_gray(arguments.truth), visible = load_gray(arguments.visible);
    const auto require_size = [&](const std::string& option, const GrayImage& image) {
       if (!image.same_size(reference))
          throw InputError(option + ": the image is " + std::to_string(image.width) + "x" +
-                          std::to_string(image.height) + " but the matched " + reference_word(parameters.reference) +
+                          std::to_string(image.height) + " but the matched " + word_of(parameters.reference) +
                           " image is " + std::to_string(reference.width) + "x" + std::to_string(reference.height));
    };
    require_size("--truth " + arguments.truth, truth);
@@ -115,6 +114,7 @@ void match(const MatchArguments& arguments) {
    const Configuration& configuration = require_configuration(arguments.config);
    const MatchingParameters parameters = matching_parameters(configuration.config);
    const ImagePair pair = load_pair_to_match(arguments, configuration);
+   std::cout << rectification_warning(pair);
    const auto start = std::chrono::steady_clock::now();
    const DisparityMap map = arguments.engine == Engine::fast ? match_fast(pair.left, pair.right, parameters)
                                                              : match_clocked(pair, configuration);

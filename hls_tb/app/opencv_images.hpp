@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenCV's view of our images: shared by images.cpp and overview.cpp, unknown to the rest of the program.
+// OpenCV's view of our images, for the files that call OpenCV.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -12,6 +12,13 @@ namespace stereo::app {
 
 /// A view of the pixels, not a copy.
 cv::Mat as_mat(GrayImage& image);
+/// An image file as it is: any channels, any depth. Throws InputError with one sentence; the image libraries under
+/// OpenCV print nothing.
+cv::Mat read_image(const std::string& path);
+/// The same, refused unless it has 8 bits a channel.
+cv::Mat read_8_bit_image(const std::string& path);
+/// An image of 8 bits and 1, 3 or 4 channels in grey.
+GrayImage gray_of_any(const cv::Mat& mat);
 /// A disparity map in colour, from blue for 0 to red for disparities-1 pixels, black where it is not valid.
 cv::Mat colored(const DisparityMap& map, int disparities);
 /// The bytes of a PNG file.

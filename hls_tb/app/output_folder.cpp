@@ -12,17 +12,18 @@ namespace stereo::app {
 
 namespace fs = std::filesystem;
 
-OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+OutputFolder::OutputFolder(const std::string& path, const std::string& option) : path_(path), option_(option) {
    std::error_code error;
-   fs::create_directories(path_, error);
+   is_new_ = fs::create_directories(path_, error);
    if (!fs::is_directory(path_))
-      throw InputError("--out " + path + ": the folder cannot be created" +
+      throw InputError(option_ + " " + path + ": the folder cannot be created" +
                        (error ? " (" + error.message() + ")" : "") + "; give one that can be written");
 }
 
 OutputFolder::~OutputFolder() {
    std::error_code ignored;
    for (const std::string& name : names_) fs::remove(temporary(name), ignored);
+   if (is_new_ && fs::is_empty(path_, ignored)) fs::remove(path_, ignored);
 }
 
 fs::path OutputFolder::temporary(const std::string& name) const {
@@ -30,19 +31,21 @@ fs::path OutputFolder::temporary(const std::string& name) const {
 }
 
 void OutputFolder::add(const std::string& name, const std::string& content) {
-   if (fs::is_directory(path_ / name)) throw InputError((path_ / name).string() + ": is a folder; give another --out");
+   if (fs::is_directory(path_ / name))
+      throw InputError((path_ / name).string() + ": is a folder; give another " + option_);
    names_.push_back(name);
    std::ofstream file(temporary(name), std::ios::binary);
    file << content;
    file.close();
    if (!file)
-      throw InputError("--out " + path_.string() + ": " + name + " cannot be written there; check space and rights");
+      throw InputError(option_ + " " + path_.string() + ": " + name +
+                       " cannot be written there; check space and rights");
 }
 
-void OutputFolder::commit() {
+void OutputFolder::commit(Says says) {
    for (const std::string& name : names_) {
       fs::rename(temporary(name), path_ / name);
-      std::cout << (path_ / name).string() << '\n';
+      if (says == Says::every_path) std::cout << (path_ / name).string() << '\n';
    }
    names_.clear();
 }

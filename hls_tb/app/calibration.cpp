@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/calibration.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <opencv2/core.hpp>
+
+#include "app/errors.hpp"
+#include "app/silent_stderr.hpp"
+
+namespace stereo::app {
+namespace {
+
+constexpr uintmax_t kLargestFile = 16 << 20;  ///< bytes; a calibration takes some thousand
+
+struct Entry {
+   const char* name;
+   cv::Mat Calibration::*matrix;
+   int rows, columns;  ///< 0: a vector of up to 14
+};
+
+constexpr Entry kEntries[] = {
+    {"M1", &Calibration::m1, 3, 3}, {"D1", &Calibration::d1, 0, 0}, {"M2", &Calibration::m2, 3, 3},
+    {"D2", &Calibration::d2, 0, 0}, {"R", &Calibration::r, 3, 3},   {"T", &Calibration::t, 3, 1},
+    {"P1", &Calibration::p1, 3, 4}, {"P2", &Calibration::p2, 3, 4}, {"Q", &Calibration::q, 4, 4}};
+
+bool fits(const cv::Mat& matrix, const Entry& entry) {
+   if (matrix.dims != 2 || matrix.channels() != 1) return false;
+   if (entry.rows != 0) return matrix.rows == entry.rows && matrix.cols == entry.columns;
+   return (matrix.rows == 1 || matrix.cols == 1) && matrix.total() <= 14;
+}
+
+bool is_finite(const cv::Mat_<double>& matrix) {
+   for (const double value : matrix)
+      if (!std::isfinite(value)) return false;
+   return true;
+}
+
+void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry, const std::string& path) {
+   cv::Mat matrix;
+   node >> matrix;
+   if (matrix.empty()) return;
+   const std::string what = path + ": its matrix " + entry.name;
+   if (!fits(matrix, entry))
+      throw InputError(what + " is " + std::to_string(matrix.rows) + "x" + std::to_string(matrix.cols) +
+                       " but must be " +
+                       (entry.rows == 0 ? "a vector of up to 14"
+                                        : std::to_string(entry.rows) + "x" + std::to_string(entry.columns)));
+   cv::Mat& target = calibration.*entry.matrix;
+   matrix.convertTo(target, CV_64F);
+   if (!is_finite(target)) throw InputError(what + " has values that are not finite");
+}
+
+void read_into(Calibration& calibration, const std::string& path) {
+   std::error_code error;
+   if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": there is no such file");
+   const std::string sentence =
+       path + ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib writes it";
+   if (std::filesystem::file_size(path, error) > kLargestFile) throw InputError(sentence);
+   try {
+      const SilentStderr silent;
+      const cv::FileStorage file(path, cv::FileStorage::READ);
+      if (!file.isOpened() || !file.root().isMap()) throw InputError(sentence);
+      for (const Entry& entry : kEntries) take(calibration, file[entry.name], entry, path);
+   } catch (const cv::Exception&) {
+      throw InputError(sentence);
+   }
+}
+
+}  // namespace
+
+Calibration load_calibration(const std::string& path, const std::string& extrinsics_path) {
+   Calibration calibration;
+   read_into(calibration, path);
+   if (!extrinsics_path.empty()) read_into(calibration, extrinsics_path);
+   return calibration;
+}
+
+RectifiedGeometry geometry_of_q(const cv::Mat& q) {
+   const auto at = [&q](int row, int column) { return q.at<double>(row, column); };
+   if (at(3, 2) == 0 || at(2, 3) <= 0)
+      throw InputError("the calibration's Q is not that of a rectified pair: its focal length or baseline is missing");
+   if (at(3, 2) < 0)
+      throw InputError(
+          "the calibration's right camera stands to the left of the left one: exchange --left and --right, and "
+          "calibrate in that order");
+   const double baseline = 1 / at(3, 2);
+   return {at(2, 3), baseline, -at(0, 3), -at(1, 3), -at(3, 3) * baseline};
+}
+
+RectifiedGeometry rectified_geometry(const Calibration& calibration) {
+   if (!calibration.q.empty()) return geometry_of_q(calibration.q);
+   cv::Mat q = cv::Mat::zeros(4, 4, CV_64F);
+   double focal = 0, offset = 0;
+   const auto fill = [&](const cv::Mat& left, const cv::Mat& right, double shift) {
+      focal = left.at<double>(0, 0);
+      offset = shift;
+      q.at<double>(0, 3) = -left.at<double>(0, 2);
+      q.at<double>(1, 3) = -left.at<double>(1, 2);
+      q.at<double>(2, 3) = focal;
+      q.at<double>(3, 2) = offset == 0 ? 0 : -1 / offset;
+      q.at<double>(3, 3) = offset == 0 ? 0 : (left.at<double>(0, 2) - right.at<double>(0, 2)) / offset;
+   };
+   if (!calibration.p1.empty() && !calibration.p2.empty() && calibration.p2.at<double>(0, 0) != 0)
+      fill(calibration.p1, calibration.p2, calibration.p2.at<double>(0, 3) / calibration.p2.at<double>(0, 0));
+   else if (!calibration.m1.empty() && !calibration.t.empty())
+      fill(calibration.m1, calibration.m2.empty() ? calibration.m1 : calibration.m2, calibration.t.at<double>(0, 0));
+   else
+      throw InputError(
+          "--calibration: has neither Q, nor P1 and P2, nor M1 and T, of which a rectified pair needs one");
+   return geometry_of_q(q);
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/disparity_files.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/errors.hpp"
+#include "app/opencv_images.hpp"
+#include "app/pfm.hpp"
+
+namespace stereo::app {
+namespace {
+
+constexpr double kKittiScale = 256;
+
+std::string first_bytes(const std::string& path, std::size_t count) {
+   std::ifstream file(path, std::ios::binary);
+   std::string bytes(count, '\0');
+   file.read(bytes.data(), std::streamsize(count));
+   bytes.resize(std::size_t(file.gcount()));
+   return bytes;
+}
+
+std::string all_bytes(const std::string& path) {
+   std::ostringstream text;
+   text << std::ifstream(path, std::ios::binary).rdbuf();
+   return text.str();
+}
+
+bool is_pfm(const std::string& path) {
+   const std::string magic = first_bytes(path, 2);
+   return std::filesystem::path(path).extension() == ".pfm" || magic == "Pf" || magic == "PF";
+}
+
+template <class Pixel>
+DisparityImage divided(const cv::Mat& mat, double scale) {
+   DisparityImage image(mat.cols, mat.rows);
+   for (int y = 0; y < mat.rows; ++y)
+      for (int x = 0; x < mat.cols; ++x)
+         if (const Pixel value = mat.at<Pixel>(y, x); value != 0) image.at(x, y) = float(value / scale);
+   return image;
+}
+
+}  // namespace
+
+DisparityImage load_disparities(const std::string& option, const std::string& path, double scale) {
+   if (std::filesystem::is_regular_file(path) && is_pfm(path)) try {
+         return parse_pfm(all_bytes(path));
+      } catch (const std::invalid_argument& problem) {
+         throw InputError(option + " " + path + ": " + problem.what());
+      }
+   const cv::Mat mat = read_image(path);
+   if (mat.channels() != 1)
+      throw InputError(option + " " + path + ": is a colour image; give disparities as a PFM or a grey image");
+   if (mat.depth() == CV_8U) return divided<uint8_t>(mat, scale);
+   if (mat.depth() == CV_16U) return divided<uint16_t>(mat, kKittiScale);
+   throw InputError(option + " " + path + ": give disparities as a PFM or a grey image of 8 or 16 bits");
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+namespace stereo::app {
+
+/// The frames of one camera, one after the other.
+class FrameSource {
+  public:
+   virtual ~FrameSource() = default;
+   /// The next frame, 8 bits, 1, 3 or 4 channels, of the size of the first one; empty after the last one. Throws
+   /// InputError with one sentence that names the file.
+   virtual cv::Mat next() = 0;
+   /// 0: not known.
+   virtual double frames_per_second() const { return 0; }
+};
+
+/// A folder of images, in the order of their names, or a video file. Throws InputError, which names the option, when
+/// there is nothing to read.
+std::unique_ptr<FrameSource> open_frames(const std::string& option, const std::string& path);
+
+struct FramePair {
+   cv::Mat left, right;  ///< both empty after the last pair
+   bool empty() const { return left.empty(); }
+};
+
+/// Two cameras' frames, of one size and as many from each.
+class PairSource {
+  public:
+   PairSource(std::unique_ptr<FrameSource> left, std::unique_ptr<FrameSource> right);
+   /// Both cameras side by side in each frame of one source, the left one on the left.
+   explicit PairSource(std::unique_ptr<FrameSource> side_by_side);
+
+   /// Throws InputError when one of the cameras ends before the other or sizes differ.
+   FramePair next();
+   double frames_per_second() const { return left_->frames_per_second(); }
+
+  private:
+   FramePair split(const cv::Mat& frame) const;
+
+   std::unique_ptr<FrameSource> left_, right_;  ///< right_ is null for side by side
+   int taken_ = 0;
+};
+
+}  // namespace stereo::app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/opencv_matchers.hpp"
+
+#include <algorithm>
+#include <opencv2/calib3d.hpp>
+
+#include "app/errors.hpp"
+#include "app/opencv_images.hpp"
+
+namespace stereo::app {
+namespace {
+
+constexpr int kLargestRange = 4096;
+
+cv::Ptr<cv::StereoMatcher> create(const OpenCvMatcher& matcher) {
+   const int block = matcher.block_px, area = block * block;
+   if (matcher.kind == OpenCvMatcher::Kind::bm) return cv::StereoBM::create(matcher.disparities, block);
+   return cv::StereoSGBM::create(0, matcher.disparities, block, 10 * area, 40 * area, 1, 63, 10, 100, 32,
+                                 cv::StereoSGBM::MODE_SGBM);
+}
+
+}  // namespace
+
+nlohmann::json parameters_json(const OpenCvMatcher& matcher) {
+   nlohmann::json json{{"disparities", matcher.disparities}, {"block_px", matcher.block_px}, {"min_disparity", 0}};
+   const int area = matcher.block_px * matcher.block_px;
+   if (matcher.kind == OpenCvMatcher::Kind::bm)
+      json.update(
+          {{"prefilter", "xsobel"}, {"prefilter_cap", 31}, {"texture_threshold", 10}, {"uniqueness_percent", 15}});
+   else
+      json.update({{"p1", 10 * area},
+                   {"p2", 40 * area},
+                   {"disp12_max_diff", 1},
+                   {"prefilter_cap", 63},
+                   {"uniqueness_percent", 10},
+                   {"speckle_window_px", 100},
+                   {"speckle_range", 32},
+                   {"mode", "sgbm"}});
+   return json;
+}
+
+void check_opencv_matcher(const OpenCvMatcher& matcher, int width, int height) {
+   const std::string name = matcher.name();
+   if (matcher.disparities < 16 || matcher.disparities % 16 != 0 || matcher.disparities > kLargestRange)
+      throw InputError("--opencv-disparities " + std::to_string(matcher.disparities) + ": " + name +
+                       " takes a multiple of 16 from 16 to " + std::to_string(kLargestRange));
+   const bool bm = matcher.kind == OpenCvMatcher::Kind::bm;
+   const int smallest = bm ? 5 : 1, largest = std::min(bm ? 255 : 51, std::min(width, height) - 1);
+   if (matcher.block_px % 2 == 0 || matcher.block_px < smallest || matcher.block_px > largest)
+      throw InputError("--opencv-block " + std::to_string(matcher.block_px) + ": for images of " +
+                       std::to_string(width) + "x" + std::to_string(height) + " " + name +
+                       " takes an odd block side from " + std::to_string(smallest) + " to " + std::to_string(largest));
+}
+
+DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher) {
+   ImagePair copy = pair;
+   cv::Mat map;
+   create(matcher)->compute(as_mat(copy.left), as_mat(copy.right), map);
+   DisparityImage result(pair.left.width, pair.left.height);
+   for (int y = 0; y < result.height; ++y)
+      for (int x = 0; x < result.width; ++x)
+         if (const short value = map.at<short>(y, x); value >= 0)
+            result.at(x, y) = float(value) / float(cv::StereoMatcher::DISP_SCALE);
+   return result;
+}
+
+}  // namespace stereo::app

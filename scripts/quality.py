@@ -1,0 +1,39 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Writes docs/quality.md: our configurations, OpenCV's StereoBM and StereoSGBM against ground truth, in one run, on the real
+pair Teddy and on generated scenes. Without the pair only the scenes are measured, and build/quality_scenes.md is written."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow import quality  # noqa: E402
+from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+
+
+def main():
+    parser = ArgumentParser(prog="quality.py", description=__doc__)
+    parser.add_argument("--pair", metavar="FOLDER", type=Path, default=quality.default_pair(),
+                        help="Teddy: left.png, right.png, disp_left_x4.pgm, disp_right_x4.pgm (default: teddy below env STEREO_DATA)")
+    parser.add_argument("--check", action="store_true", help="only say whether the page is up to date; times do not stand on it")
+    arguments = parser.parse_args()
+    missing = quality.missing_files(arguments.pair)
+    if missing:
+        if arguments.check:
+            raise FlowError(f"the pair Teddy is not complete, so nothing was checked: {missing[0]} is missing")
+        print(f"the pair Teddy is not complete ({missing[0]} is missing): only the scenes are measured")
+        page, text = quality.SCENES_PAGE, quality.scenes_page()
+    else:
+        page, text = quality.PAGE, quality.page(arguments.pair)
+    if arguments.check:
+        if not page.is_file() or page.read_text() != text:
+            raise FlowError("docs/quality.md is not up to date; run scripts/quality.py", EXIT_MISMATCH)
+        print("docs/quality.md is up to date")
+        return EXIT_OK
+    quality.write(page, text)
+    print(f"wrote {page.relative_to(quality.ROOT)}")
+    return EXIT_OK
+
+
+if __name__ == "__main__":
+    run_command(main)
