@@ -59,6 +59,11 @@ inline constexpr StereoConfig opencv_bm{
     .width_px = 450, .height_px = 375, .disparities = 64, .window_px = 15, .reference = Reference::left,
     .prefilter = Prefilter::xsobel, .ties = Ties::largest, .uniqueness_percent = 15, .texture_threshold = 10,
     .subpixel = true, .aggregation = Aggregation::recursive, .slice_disparities = 16};
+/// The best trade-off that docs/quality.md found at the size of the Middlebury pair Teddy.
+inline constexpr StereoConfig census_450{
+    .width_px = 450, .height_px = 375, .disparities = 48, .window_px = 9, .reference = Reference::left,
+    .cost = Cost::census, .census_width_px = 9, .census_height_px = 3, .subpixel = true, .median = true,
+    .aggregation = Aggregation::recursive, .slice_disparities = 16};
 
 /// What one option costs: each beside `study`, which has none (docs/features.md).
 inline constexpr StereoConfig study{
@@ -298,7 +303,7 @@ inline constexpr StereoConfig tiny_all_recursive{
    CALL(tiny_all_recursive)
 #define STEREO_SYSTEM_CONFIGURATIONS(CALL) \
    CALL(niitsuma_640) CALL(niitsuma_320) CALL(lee_320) CALL(miyajima_640) CALL(yi_270) CALL(han_640) \
-   CALL(deepsea_512) CALL(opencv_bm)
+   CALL(deepsea_512) CALL(opencv_bm) CALL(census_450)
 #define STEREO_STUDY_CONFIGURATIONS_A(CALL) \
    CALL(study) CALL(study_p2) CALL(study_p4) CALL(study_w3) CALL(study_w7) CALL(study_w9) CALL(study_recursive) \
    CALL(study_w3_recursive) CALL(study_w7_recursive) CALL(study_w9_recursive) CALL(study_w15_recursive) \

@@ -35,8 +35,8 @@ TEST(Masks, OcclusionBehindAPost) {
 TEST(Masks, OcclusionNeedsKnownDisparitiesAndMoreThanOnePixel) {
    EXPECT_EQ(drawn(non_occluded_mask(row({1, 1, 1, kNone, 1}), row({2, 2.25F, 1, kNone, 1}), Reference::left)),
              ".#...");
-   // 0.5 and 2.5 round to the even neighbour, as cvRound does.
-   EXPECT_EQ(drawn(non_occluded_mask(row({0.5F, 2.5F, 2.5F}), row({0, 9, 9}), Reference::left)), "#.#");
+   // 0.5, 1.5 and 2.5 round to the even neighbour, 0, 2 and 2, as cvRound does.
+   EXPECT_EQ(drawn(non_occluded_mask(row({0.5F, 1.5F, 2.5F}), row({0, 9, 9}), Reference::left)), "#.#");
 }
 
 TEST(Masks, OcclusionOfMapsThatLeadFarAway) {

@@ -2,6 +2,8 @@
 """How every command of this project ends."""
 
 import argparse
+import os
+import signal
 import sys
 
 EXIT_OK = 0
@@ -36,10 +38,15 @@ def run_command(main):
     """Runs a command's main function and turns FlowError into one line on stderr and the exit code."""
     program = sys.argv[0].rsplit("/", 1)[-1]
     try:
-        sys.exit(main())
+        code = main()
+        sys.stdout.flush()
+        sys.exit(code)
     except FlowError as error:
         print(f"{program}: {error}", file=sys.stderr)
         sys.exit(error.exit_code)
+    except BrokenPipeError:  # whoever read our output has seen enough, as `head` does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # nothing is left to be flushed into the pipe
+        sys.exit(128 + signal.SIGPIPE)
     except KeyboardInterrupt:
         print(f"{program}: interrupted", file=sys.stderr)
         sys.exit(130)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Proofs about the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys, and the model checker of
+"""Proofs about the memory cell and the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys, and the model checker of
 yosys-abc (property directed reachability), which finds the invariants by itself."""
 
 import re
@@ -26,6 +26,8 @@ class Proof:
 
 
 PROOFS = (
+    Proof("line_memory", {"width": 1}),
+    Proof("line_memory", {"width": 61}),
     Proof("stream_register", {"width": 1}),
     Proof("stream_register", {"width": 2}),
     Proof("stream_fifo", {"depth": 1, "width": 1}),

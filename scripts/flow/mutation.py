@@ -101,13 +101,13 @@ class Core:
 
 
 def refuted(mutant, folder):
-    """The proof that a mutant of one of the stream blocks breaks."""
+    """The proof that a mutant of the memory cell or of a stream block breaks."""
     for number, proof in enumerate(formal.PROOFS):
         if mutant.file.stem == proof.block:
             try:
                 outcome, clock = formal.prove(proof, folder / f"proof_{number}", folder / "rtl")
             except FlowError:
-                continue  # GHDL refuses to synthesise it; the simulations go on with it
+                return f"proof {proof.name}: its synthesis fails"
             if outcome != "proved":
                 return f"proof {proof.name}: clock {clock}"
     return ""
@@ -185,7 +185,7 @@ class Run:
         if not compiles([*core, *shell], folder / "compile"):
             return Verdict(mutant, "invalid")
         if is_core:
-            by = self.core.noticed(core, folder) or self.core_in_shell.noticed(core, shell, folder)
+            by = refuted(mutant, folder) or self.core.noticed(core, folder) or self.core_in_shell.noticed(core, shell, folder)
         else:
             by = refuted(mutant, folder) or self.shell.noticed(core, shell, folder)
         shutil.rmtree(folder, ignore_errors=True)

@@ -3,6 +3,7 @@
 
 import json
 import shutil
+import subprocess
 
 import pytest
 from flow import manifest
@@ -33,6 +34,14 @@ def test_help_names_the_exit_codes():
         process = call(command, "--help")
         assert process.returncode == 0
         assert "exit codes: 0 done, 1 the result differs" in " ".join(process.stdout.split())
+
+
+def test_a_reader_that_leaves_early_is_no_failure_to_report():
+    words = [str(ROOT / "scripts" / "synthesize.py"), "--check"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        process.stdout.close()
+        assert process.stderr.read() == ""
+    assert process.returncode == 141, "as for a program that SIGPIPE ends"
 
 
 def test_missing_option(nothing_written):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stream blocks of the shell are proved for all inputs, and the proofs can fail."""
+"""The memory cell and the stream blocks of the shell are proved for all inputs, and the proofs can fail."""
 
 import pytest
 from conftest import need
@@ -17,6 +17,8 @@ def test_proof(ghdl, yosys, abc, tmp_path, proof):
 
 
 FAULTS = {
+    "a column keeps another one's bits": ("line_memory", "to_integer(write_data(high downto low))", "to_integer(write_data(bits - 1 downto 0))"),
+    "a write comes first": ("line_memory", "word <= memory(read_address);", "word <= to_integer(write_data(high downto low)) when read_address = write_address else memory(read_address);"),
     "a word is lost": ("stream_register", "elsif arrives = '1' then\n        spare_data", "elsif false then\n        spare_data"),
     "the order is changed": ("stream_register", "main_data <= spare_data;", "main_data <= in_data;"),
     "a reset leaves a word": ("stream_register", "spare_valid <= '0';", "null;"),
