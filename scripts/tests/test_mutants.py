@@ -71,7 +71,7 @@ class Blind:
     def __init__(self, *stages):
         pass
 
-    def noticed(self, files, folder):
+    def noticed(self, *files_and_folder):
         Blind.count += 1
         return "a test" if Blind.count % 10 == 0 else ""
 
