@@ -39,9 +39,10 @@ def add_tests(module, prefix, function, cases):
 
 class Watch:
     """Sees every clock of the streams and of the registers' answers, and breaches of the protocol: what is offered stays as
-    it is until it is taken."""
+    it is until it is taken, and no answer comes before its question was taken."""
 
     ANSWERS = {"s_axil_b": ("bresp",), "s_axil_r": ("rdata", "rresp")}
+    QUESTIONS = {"s_axil_b": ("s_axil_aw", "s_axil_w"), "s_axil_r": ("s_axil_ar",)}
 
     def __init__(self, dut):
         self.dut = dut
@@ -50,6 +51,12 @@ class Watch:
         self.segments = []  # since each reset: ([beat of s_axis, ...], [(data, flags, clock) of m_axis, ...])
         self.breaches = []
         self.held = {}
+        self.asked = dict.fromkeys(("s_axil_aw", "s_axil_w", "s_axil_ar"), 0)  # questions taken and not yet answered
+
+    def _moves(self, channel):
+        """Whether a channel offers something, and whether that is taken."""
+        valid, ready = (bool(getattr(self.dut, f"{channel}{end}").value) for end in ("valid", "ready"))
+        return valid, valid and ready
 
     def _pending(self, name, payload, valid, ready):
         """Checks one channel that the shell drives."""
@@ -76,9 +83,13 @@ class Watch:
 
     def _answers(self):
         for channel, signals in self.ANSWERS.items():
-            valid, ready = (int(getattr(self.dut, f"{channel}{end}").value) for end in ("valid", "ready"))
+            valid, taken = self._moves(channel)
             payload = tuple(int(getattr(self.dut, f"s_axil_{name}").value) for name in signals) if valid else None
-            self._pending(channel, payload, valid, ready)
+            self._pending(channel, payload, valid, taken)
+            if valid and not all(self.asked[question] for question in self.QUESTIONS[channel]):
+                self.breaches.append(f"{channel} answers a question that was not taken, clock {self.clock}")
+            for question in self.QUESTIONS[channel]:
+                self.asked[question] += self._moves(question)[1] - taken
 
     async def run(self):
         in_reset = 0
@@ -94,6 +105,7 @@ class Watch:
                 continue
             in_reset += 1
             self.held.clear()
+            self.asked = dict.fromkeys(self.asked, 0)
             if in_reset > 1 and (self.dut.m_axis_tvalid.value or self.dut.s_axis_tready.value):
                 self.breaches.append(f"m_axis_tvalid or s_axis_tready in reset, clock {self.clock}")
 
