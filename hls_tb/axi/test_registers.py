@@ -2,8 +2,8 @@
 """stereo_ip in GHDL under cocotb: registers, alone and while frames run."""
 
 import cocotb
-from bench import Bench
-from cocotb.triggers import ClockCycles, RisingEdge
+from bench import PERIOD_NS, Bench, add_tests
+from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
 from cocotb.utils import get_sim_time
 from flow import registers
 from flow.axi import script
@@ -114,6 +114,24 @@ async def byte_strobes(dut):
     assert await bench.read("control") == 1
     await bench.axil.write(bench.map["control"]["offset"], b"\x00")
     assert await bench.read("control") == 0
+
+
+async def one_half_first(dut, half):
+    """The addresses of two writes before their data, or the data before the addresses: both happen, in their order."""
+    bench = await Bench(dut, half).start()
+    late = {"addresses": bench.axil.write_if.w_channel, "data": bench.axil.write_if.aw_channel}[half]
+    for last in (1, 0):
+        late.pause = True
+        writes = [cocotb.start_soon(bench.write("control", value)) for value in (1 - last, last)]
+        await ClockCycles(dut.aclk, 20)
+        late.pause = False
+        for write in writes:
+            await with_timeout(write.join(), 100 * PERIOD_NS, "ns")
+        assert await bench.read("control") == last
+    assert not bench.watch.breaches, bench.watch.breaches
+
+
+add_tests(globals(), "first", one_half_first, [("addresses",), ("data",)])
 
 
 @cocotb.test()
