@@ -106,8 +106,9 @@ class Watch:
             in_reset += 1
             self.held.clear()
             self.asked = dict.fromkeys(self.asked, 0)
-            if in_reset > 1 and (self.dut.m_axis_tvalid.value or self.dut.s_axis_tready.value):
-                self.breaches.append(f"m_axis_tvalid or s_axis_tready in reset, clock {self.clock}")
+            offered = [name for name in ("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid") if getattr(self.dut, name).value]
+            if in_reset > 1 and offered:
+                self.breaches.append(f"{' and '.join(offered)} in reset, clock {self.clock}")
 
 
 class Bench:

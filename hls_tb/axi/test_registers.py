@@ -244,3 +244,22 @@ async def reset_in_the_middle_of_an_access(dut):
     dut.aresetn.value = 1
     await RisingEdge(dut.aclk)
     assert await bench.read("control") == 1, f"at {get_sim_time('ns')} ns"
+
+
+@cocotb.test()
+async def reset_while_answers_wait(dut):
+    bench = await Bench(dut, "waiting answers").start()
+    answers = (bench.axil.write_if.b_channel, bench.axil.read_if.r_channel)
+    for channel in answers:
+        channel.pause = True
+    cocotb.start_soon(bench.write("control", 0))
+    cocotb.start_soon(bench.axil.read(bench.map["control"]["offset"], 4))
+    await ClockCycles(dut.aclk, 10)
+    assert dut.s_axil_bvalid.value and dut.s_axil_rvalid.value
+    dut.aresetn.value = 0
+    await ClockCycles(dut.aclk, 4)
+    dut.aresetn.value = 1
+    for channel in answers:
+        channel.pause = False
+    assert await bench.read("control") == 1
+    assert not bench.watch.breaches, bench.watch.breaches
