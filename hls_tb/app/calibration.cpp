@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/calibration.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <opencv2/core.hpp>
+#include <sstream>
+#include <string_view>
 
 #include "app/errors.hpp"
 #include "app/silent_stderr.hpp"
@@ -24,10 +29,9 @@ constexpr Entry kEntries[] = {
     {"D2", &Calibration::d2, 0, 0}, {"R", &Calibration::r, 3, 3},   {"T", &Calibration::t, 3, 1},
     {"P1", &Calibration::p1, 3, 4}, {"P2", &Calibration::p2, 3, 4}, {"Q", &Calibration::q, 4, 4}};
 
-bool fits(const cv::Mat& matrix, const Entry& entry) {
-   if (matrix.dims != 2 || matrix.channels() != 1) return false;
-   if (entry.rows != 0) return matrix.rows == entry.rows && matrix.cols == entry.columns;
-   return (matrix.rows == 1 || matrix.cols == 1) && matrix.total() <= 14;
+bool fits(int rows, int columns, const Entry& entry) {
+   if (entry.rows != 0) return rows == entry.rows && columns == entry.columns;
+   return (rows == 1 && columns <= 14) || (columns == 1 && rows <= 14);
 }
 
 bool is_finite(const cv::Mat_<double>& matrix) {
@@ -37,18 +41,60 @@ bool is_finite(const cv::Mat_<double>& matrix) {
 }
 
 void take(Calibration& calibration, const cv::FileNode& node, const Entry& entry, const std::string& path) {
-   cv::Mat matrix;
-   node >> matrix;
-   if (matrix.empty()) return;
+   if (node.empty()) return;
    const std::string what = path + ": its matrix " + entry.name;
-   if (!fits(matrix, entry))
-      throw InputError(what + " is " + std::to_string(matrix.rows) + "x" + std::to_string(matrix.cols) +
-                       " but must be " +
+   // OpenCV allocates whatever size the file names: it is looked at before.
+   if (!node.isMap() || !node["rows"].isInt() || !node["cols"].isInt()) throw InputError(what + " has no size");
+   const int rows = node["rows"], columns = node["cols"];
+   if (rows == 0 && columns == 0) return;
+   if (rows < 1 || columns < 1 || !fits(rows, columns, entry))
+      throw InputError(what + " is " + std::to_string(rows) + "x" + std::to_string(columns) + " but must be " +
                        (entry.rows == 0 ? "a vector of up to 14"
                                         : std::to_string(entry.rows) + "x" + std::to_string(entry.columns)));
+   cv::Mat matrix;
+   node >> matrix;
+   if (matrix.rows != rows || matrix.cols != columns || matrix.channels() != 1)
+      throw InputError(what + " has more than one number at a place, or none");
    cv::Mat& target = calibration.*entry.matrix;
    matrix.convertTo(target, CV_64F);
    if (!is_finite(target)) throw InputError(what + " has values that are not finite");
+}
+
+std::string_view next_line(std::string_view& rest) {
+   const std::size_t end = std::min(rest.find('\n'), rest.size());
+   const std::string_view line = rest.substr(0, end);
+   rest.remove_prefix(std::min(end + 1, rest.size()));
+   return line;
+}
+
+/// OpenCV 4.6 never returns from some YAML files with a second document that is a list. One document, a map whose lines
+/// are indented as much as its first key or more, and lists in it deeper, is what it reads safely.
+bool is_one_map(std::string_view yaml) {
+   next_line(yaml);  // %YAML
+   std::size_t top = std::string_view::npos;
+   for (bool started = false; !yaml.empty();) {
+      const std::string_view line = next_line(yaml);
+      const std::size_t indent = line.find_first_not_of(" \t\r");
+      if (indent == std::string_view::npos || line[indent] == '#') continue;
+      const std::string_view text = line.substr(indent);
+      if (top == std::string_view::npos) {
+         if (text.starts_with("---") && text.find_first_not_of(" \t\r", 3) == std::string_view::npos && !started) {
+            started = true;
+            continue;
+         }
+         if (std::isalnum(uint8_t(text[0])) == 0 && text[0] != '_') return false;
+         top = indent;
+      } else if (indent < top || (indent == top && (text[0] == '-' || text[0] == '.' || text[0] == '%'))) {
+         return false;
+      }
+   }
+   return top != std::string_view::npos;
+}
+
+std::string bytes_of(const std::string& path) {
+   std::ostringstream bytes;
+   bytes << std::ifstream(path, std::ios::binary).rdbuf();
+   return bytes.str();
 }
 
 void read_into(Calibration& calibration, const std::string& path) {
@@ -57,12 +103,17 @@ void read_into(Calibration& calibration, const std::string& path) {
    const std::string sentence =
        path + ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib writes it";
    if (std::filesystem::file_size(path, error) > kLargestFile) throw InputError(sentence);
+   const std::string bytes = bytes_of(path);
+   const bool is_yaml = std::string_view(bytes).substr(0, 16).find("%YAML") != std::string_view::npos;
+   if (is_yaml && !is_one_map(bytes)) throw InputError(sentence);
    try {
       const SilentStderr silent;
       const cv::FileStorage file(path, cv::FileStorage::READ);
       if (!file.isOpened() || !file.root().isMap()) throw InputError(sentence);
       for (const Entry& entry : kEntries) take(calibration, file[entry.name], entry, path);
-   } catch (const cv::Exception&) {
+   } catch (const InputError&) {
+      throw;
+   } catch (const std::exception&) {  // cv::Exception, and others that OpenCV lets through
       throw InputError(sentence);
    }
 }

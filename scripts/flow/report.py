@@ -8,8 +8,8 @@ A demo folder holds
 """
 
 import base64
-import json
 import os
+import re
 import shlex
 import tempfile
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from pathlib import Path
 
 import jinja2
 
-from . import manifest
+from . import json_files, manifest
 from .errors import FlowError
 from .tools import GENERATED_RTL
 
@@ -26,6 +26,7 @@ PROGRAM = "build/release/stereo_hls"
 PICTURE = Path("match/overview.png")
 COSIMS = ("cosim-ghdl", "cosim-verilator")
 MATCH_FORMAT = "stereo-hls match 1"
+LARGEST = 1e18  # beyond it no number of a demo lies
 # "Hardware implementation of an SAD based stereo vision algorithm", 2007.
 PAPER = {
     "size": {"width_px": 320, "height_px": 240, "disparities": 100, "window_px": 3},
@@ -78,7 +79,9 @@ def read_demo(folder):
         raise FlowError(f"{folder}: there is no such folder; make it with scripts/demo.sh")
     match = _read_json(folder / "match" / "match.json", _MATCH_KEYS)
     if match.get("format") != MATCH_FORMAT:
-        raise FlowError(f"{folder / 'match' / 'match.json'}: format '{match.get('format')}' instead of '{MATCH_FORMAT}'")
+        raise FlowError(f"{folder / 'match' / 'match.json'}: format {match.get('format')!r} instead of '{MATCH_FORMAT}'")
+    if not re.fullmatch(r"\w{1,100}", match["config"]):
+        raise FlowError(f"{folder / 'match' / 'match.json'} is damaged: unusable 'config'")
     if "truth" in match:
         _check(folder / "match" / "match.json", match["truth"], _TRUTH_KEYS)
     cosims = [_read_cosim(folder / name / "report.json", match["config"]) for name in COSIMS]
@@ -87,7 +90,7 @@ def read_demo(folder):
 
 def _read_json(path, keys):
     try:
-        content = json.loads(path.read_text())
+        content = json_files.load(path)
     except OSError as error:
         raise FlowError(f"{path}: {error.strerror}; make it with scripts/demo.sh") from None
     except ValueError as error:
@@ -101,9 +104,14 @@ def _check(path, content, keys):
     if not isinstance(content, dict):
         raise FlowError(f"{path} is damaged: not an object with keys")
     for key, kinds in keys.items():
-        value = content.get(key)
-        if key not in content or not isinstance(value, kinds) or (isinstance(value, bool) and kinds is not bool):
+        if key not in content or not _is_usable(content[key], kinds):
             raise FlowError(f"{path} is damaged: {'no' if key not in content else 'unusable'} '{key}'")
+
+
+def _is_usable(value, kinds):
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return isinstance(value, kinds) and (not isinstance(value, bool) or kinds is bool)
+    return isinstance(value, kinds) and abs(value) < LARGEST
 
 
 def _read_cosim(path, config):
@@ -111,7 +119,7 @@ def _read_cosim(path, config):
     if content["initiation_interval"] is not None:
         _check(path, content["initiation_interval"], _INTERVAL_KEYS)
     if content["config"] != config:
-        raise FlowError(f"{path} is of configuration {content['config']}, but the disparity map is of {config}")
+        raise FlowError(f"{path} is of configuration {content['config']!r}, but the disparity map is of {config}")
     return content
 
 
