@@ -45,6 +45,7 @@ gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit T
 # The models alone: they build in a fraction of the core's time.
 add_executable(
   stereo_model_tests
+  app/child_process_test.cpp
   app/depth_test.cpp
   app/images_test.cpp
   app/masks_test.cpp

@@ -41,7 +41,7 @@ TEST_P(FuzzReplay, KeptCases) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, FuzzReplay, testing::ValuesIn(kTargets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 TEST(FuzzReplay, EveryFolderHasATarget) {
    std::vector<std::string> folders, targets;
