@@ -23,9 +23,12 @@ std::string first_bytes(const std::string& path, std::size_t count) {
    return bytes;
 }
 
+/// Throws std::invalid_argument.
 std::string all_bytes(const std::string& path) {
+   const std::ifstream file(path, std::ios::binary);
+   if (!file) throw std::invalid_argument("it cannot be read; check its rights");
    std::ostringstream text;
-   text << std::ifstream(path, std::ios::binary).rdbuf();
+   text << file.rdbuf();
    return text.str();
 }
 

@@ -190,6 +190,8 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
     ({"T": ([0.0, 0.0, 0.0], 1)}, [], ["--calibration"]),
     ({"T": ([0.05, 0.0, 0.0], 1)}, ["--rectified"], ["exchange --left and --right"]),
     ({}, ["--unit-mm", "0"], ["--unit-mm"]),
+    ({}, ["--unit-mm", "nan"], ["--unit-mm", "no number above 0"]),
+    ({}, ["--unit-mm", "inf"], ["--unit-mm", "no number above 0"]),
     ({}, ["--set", "window=3"], ["--set window=3"]),
     ({}, ["--set", "disparities=200"], ["--config study", "200"]),
     ({}, ["--config", "nope"], ["nope"]),
