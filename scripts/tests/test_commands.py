@@ -151,7 +151,10 @@ def test_output_folder_that_cannot_be(pair, tmp_path):
     refused(call("lint.py", "--rtl", tmp_path / "file"), 2, "file/", "Not a directory")
 
 
-def test_setup_and_fuzz_refuse_unknown_options():
+def test_shell_scripts_refuse_unknown_options():
+    refused(call("tidy.sh", "--everything"), 2, "unknown option '--everything'")
+    refused(call("tidy.sh", "nowhere.cpp"), 2, "nowhere.cpp: there is no such file")
+    refused(call("tidy.sh", environment={"CLANG_TIDY": "/nowhere/clang-tidy"}), 3, "SKIP: /nowhere/clang-tidy is not installed", "apt-get install")
     refused(call("setup.sh", "--everything"), 2, "unknown option '--everything'")
     refused(call("fuzz.sh", "--everything"), 2, "unknown option '--everything'")
     refused(call("fuzz.sh", "everything"), 2, "unknown target 'everything'", "calibration", "stimulus")
