@@ -90,7 +90,7 @@ std::string answer(const std::string& path, const std::string& sentence) {
 /// The calibration's matrices become those of the answer, where that has some.
 void take_answer(Calibration& calibration, std::string_view bytes) {
    for (const Entry& entry : kEntries) {
-      const int rows = bytes[0], columns = bytes[1];
+      const int rows = uint8_t(bytes[0]), columns = uint8_t(bytes[1]);
       bytes.remove_prefix(2);
       if (rows == 0) continue;
       cv::Mat matrix(rows, columns, CV_64F);
