@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <stdexcept>
 
@@ -38,17 +39,18 @@ bool write_all(int descriptor, std::string_view bytes) {
    _exit(done ? 0 : 1);
 }
 
-/// All bytes up to the end, or what came in time.
-std::string read_all(int descriptor, Clock::time_point end) {
+/// All bytes up to their end; nothing when that does not come in time.
+std::optional<std::string> read_all(int descriptor, Clock::time_point end) {
    std::string bytes;
    std::array<char, 4096> part{};
    for (;;) {
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
       pollfd waiting{descriptor, POLLIN, 0};
-      if (left <= 0 || poll(&waiting, 1, int(left)) <= 0) return bytes;
+      if (left <= 0) return std::nullopt;
+      if (poll(&waiting, 1, int(left)) <= 0) continue;  // too late, or a signal
       const ssize_t count = read(descriptor, part.data(), part.size());
-      if (count <= 0) return bytes;
-      bytes.append(part.data(), std::size_t(count));
+      if (count == 0) return bytes;
+      if (count > 0) bytes.append(part.data(), std::size_t(count));
    }
 }
 
@@ -68,12 +70,11 @@ std::optional<std::string> done_by_child(const std::function<std::string()>& wor
       close(out);
       throw std::runtime_error("there is no child process");
    }
-   const Clock::time_point end = Clock::now() + limit;
-   std::string answer = read_all(out, end);
+   std::optional<std::string> answer = read_all(out, Clock::now() + limit);
    close(out);
-   if (Clock::now() >= end) kill(child, SIGKILL);
+   if (!answer) kill(child, SIGKILL);
    int status = 0;
-   waitpid(child, &status, 0);
+   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
    return answer;
 }

@@ -2,6 +2,7 @@
 #include "app/child_process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/time.h>
 
 #include <csignal>
 #include <thread>
@@ -36,6 +37,24 @@ TEST(ChildProcess, NothingOfWorkThatIsNotDoneInTime) {
    };
    EXPECT_EQ(done_by_child(endless, 50ms), std::nullopt);
    EXPECT_LT(std::chrono::steady_clock::now() - start, 30s);
+}
+
+TEST(ChildProcess, SignalsToTheParentChangeNothing) {
+   struct sigaction old {
+   }, counted{};
+   static volatile std::sig_atomic_t signals = 0;
+   counted.sa_handler = [](int) { signals = signals + 1; };  // without SA_RESTART
+   sigaction(SIGALRM, &counted, &old);
+   const itimerval often{{0, 20000}, {0, 20000}}, never{};
+   setitimer(ITIMER_REAL, &often, nullptr);
+   const auto slow = [] {
+      std::this_thread::sleep_for(300ms);
+      return std::string("done");
+   };
+   EXPECT_EQ(done_by_child(slow, 60s), "done");
+   setitimer(ITIMER_REAL, &never, nullptr);
+   sigaction(SIGALRM, &old, nullptr);
+   EXPECT_GT(signals, 3);
 }
 
 }  // namespace
