@@ -45,6 +45,7 @@ gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit T
 # The models alone: they build in a fraction of the core's time.
 add_executable(
   stereo_model_tests
+  app/child_process_test.cpp
   app/depth_test.cpp
   app/images_test.cpp
   app/masks_test.cpp
@@ -52,6 +53,7 @@ add_executable(
   app/options_json_test.cpp
   app/pfm_test.cpp
   app/truth_test.cpp
+  fuzz/replay_test.cpp
   models/fast_model_test.cpp
   models/matching_test.cpp
   models/opencv_stereo_bm_test.cpp
@@ -61,7 +63,7 @@ add_executable(
   support/map_compare_test.cpp
   vectors/matching_parameters_test.cpp)
 target_include_directories(stereo_model_tests SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
-target_link_libraries(stereo_model_tests PRIVATE stereo_test_support ${OpenCV_LIBS} stereo_strict_warnings)
+target_link_libraries(stereo_model_tests PRIVATE stereo_fuzz_targets stereo_test_support ${OpenCV_LIBS} stereo_strict_warnings)
 find_package(OpenCV QUIET OPTIONAL_COMPONENTS core calib3d)
 if(TARGET opencv_calib3d)
   target_compile_definitions(stereo_model_tests PRIVATE STEREO_HAS_STEREO_BM)

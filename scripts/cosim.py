@@ -10,6 +10,8 @@ from flow import cosim  # noqa: E402
 from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
 from flow.simulators import SIMULATORS  # noqa: E402
 
+MOST_SECONDS = 1e6
+
 
 def main():
     parser = ArgumentParser(prog="cosim.py", description=__doc__)
@@ -30,6 +32,8 @@ def main():
     options = parser.parse_args()
     if options.frames < 1:
         raise FlowError("--frames must be at least 1")
+    if not 0 < options.watchdog_seconds < MOST_SECONDS:
+        raise FlowError(f"--watchdog must be above 0 and below {MOST_SECONDS:g} seconds")
     return cosim.exit_code(cosim.run_job(cosim.Job(**vars(options))))
 
 

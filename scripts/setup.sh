@@ -9,8 +9,9 @@ packages=(
    g++ cmake ninja-build                                     # native build
    libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
    ghdl-mcode verilator yosys                                # co-simulation and area
-   python3 python3-venv python3-rich python3-jinja2 python3-pytest        # the flow and its tests
+   python3 python3-venv python3-rich python3-jinja2                # the flow
    python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
+   python3-pytest python3-hypothesis                         # its tests
 )
 
 case "${1:-}" in

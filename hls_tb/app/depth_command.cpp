@@ -15,6 +15,7 @@
 #include "app/options_json.hpp"
 #include "app/output_folder.hpp"
 #include "app/overview.hpp"
+#include "app/positive_number.hpp"
 #include "app/rectification.hpp"
 #include "app/vertical_offset.hpp"
 
@@ -139,7 +140,7 @@ void add_depth(CLI::App& app) {
    command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
        ->allow_extra_args(false);
    command->add_option("--unit-mm", arguments.unit_mm, "millimetres of one unit of the calibration's T; 1000: metres")
-       ->check(CLI::PositiveNumber)
+       ->check(check_positive_number)
        ->capture_default_str();
    command->add_flag("--rectified", arguments.rectified, "the images are rectified already");
    command->add_option("--out", arguments.out, "folder for the results")->required();

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <optional>
 
+#include "app/commands.hpp"
 #include "app/disparity_files.hpp"
 #include "app/errors.hpp"
 #include "app/evaluation.hpp"
@@ -15,6 +16,7 @@
 #include "app/opencv_matchers.hpp"
 #include "app/options_json.hpp"
 #include "app/output_folder.hpp"
+#include "app/positive_number.hpp"
 
 namespace stereo::app {
 namespace {
@@ -143,6 +145,7 @@ void evaluate(const Arguments& arguments) {
    for (std::size_t i = 0; i < arguments.disparities.size(); ++i)
       evaluation.methods.push_back(evaluate_file(arguments.disparities[i], arguments.references[i], arguments, truth));
    std::cout << evaluation_text(evaluation);
+   flush_result();
    if (!arguments.json.empty()) write_json(arguments.json, evaluation_json(evaluation));
 }
 
@@ -169,7 +172,7 @@ void add_methods(CLI::App& command, Arguments& arguments) {
        ->allow_extra_args(false)
        ->check(CLI::IsMember({"left", "right"}));
    command.add_option("--disparity-scale", arguments.disparity_scale, "as --truth-scale, for --disparity")
-       ->check(CLI::PositiveNumber)
+       ->check(check_positive_number)
        ->capture_default_str();
 }
 
@@ -184,7 +187,7 @@ void add_evaluate(CLI::App& app) {
                        "the left image's true disparities: PFM, 8 bits (0 unknown) or 16 bits as KITTI's");
    command->add_option("--truth-right", arguments.truth_right, "the right image's");
    command->add_option("--truth-scale", arguments.truth_scale, "grey levels a pixel of 8-bit truth")
-       ->check(CLI::PositiveNumber)
+       ->check(check_positive_number)
        ->capture_default_str();
    command->add_option("--border", arguments.border_px, "pixels at each side of the images that do not count")
        ->check(CLI::Range(0, 10000))

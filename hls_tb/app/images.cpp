@@ -50,24 +50,27 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
 
-cv::Mat read_image(const std::string& path) {
-   if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such file");
+cv::Mat read_image(const std::string& path, const std::string& name) {
+   if (!std::filesystem::exists(path)) throw InputError(name + ": there is no such file");
    cv::Mat mat;
    try {
       const SilentStderr silent;
       mat = cv::imread(path, cv::IMREAD_UNCHANGED);
-   } catch (const cv::Exception&) {
+   } catch (const std::exception&) {  // cv::Exception, and others that OpenCV lets through
       // Reported below, as an empty image.
    }
-   if (mat.empty()) throw InputError(path + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
+   if (mat.empty()) throw InputError(name + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
    return mat;
 }
 
 cv::Mat read_8_bit_image(const std::string& path) {
-   const cv::Mat mat = read_image(path);
+   const cv::Mat mat = read_image(path, path);
    if (mat.depth() != CV_8U)
       throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
                        " bits a channel but must have 8; convert it to an 8-bit image");
+   if (mat.channels() != 1 && mat.channels() != 3 && mat.channels() != 4)
+      throw InputError(path + ": has " + std::to_string(mat.channels()) +
+                       " channels but must be grey or in colour; convert it to a grey image");
    return mat;
 }
 

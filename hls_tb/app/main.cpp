@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 
@@ -131,11 +132,15 @@ int main(int argc, char** argv) {
       return 0;
    } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+      if (argc > 1 && app.get_subcommands().empty())
+         return report(std::string(argv[1]) + ": there is no such command; see stereo_hls --help", kInputError);
       return report(std::string(error.what()) + "; see stereo_hls --help", kInputError);
    } catch (const InputError& error) {
       return report(error.what(), kInputError);
    } catch (const std::invalid_argument& error) {
       return report(error.what(), kInputError);
+   } catch (const std::filesystem::filesystem_error& error) {  // a folder without rights, mostly
+      return report(error.path1().string() + ": " + error.code().message(), kInputError);
    } catch (const std::exception& error) {
       return report(std::string("internal failure: ") + error.what(), kInternalError);
    }

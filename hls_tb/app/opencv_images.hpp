@@ -12,10 +12,10 @@ namespace stereo::app {
 
 /// A view of the pixels, not a copy.
 cv::Mat as_mat(GrayImage& image);
-/// An image file as it is: any channels, any depth. Throws InputError with one sentence; the image libraries under
-/// OpenCV print nothing.
-cv::Mat read_image(const std::string& path);
-/// The same, refused unless it has 8 bits a channel.
+/// An image file as it is: any channels, any depth. Throws InputError with one sentence that begins with `name`; the
+/// image libraries under OpenCV print nothing.
+cv::Mat read_image(const std::string& path, const std::string& name);
+/// The same, refused unless it has 1, 3 or 4 channels of 8 bits.
 cv::Mat read_8_bit_image(const std::string& path);
 /// An image of 8 bits and 1, 3 or 4 channels in grey.
 GrayImage gray_of_any(const cv::Mat& mat);

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 OutputFolder::OutputFolder(const std::string& path, const std::string& option) : path_(path), option_(option) {
    std::error_code error;
    is_new_ = fs::create_directories(path_, error);
-   if (!fs::is_directory(path_))
+   std::error_code ignored;
+   if (!fs::is_directory(path_, ignored))
       throw InputError(option_ + " " + path + ": the folder cannot be created" +
                        (error ? " (" + error.message() + ")" : "") + "; give one that can be written");
 }
@@ -31,7 +32,8 @@ fs::path OutputFolder::temporary(const std::string& name) const {
 }
 
 void OutputFolder::add(const std::string& name, const std::string& content) {
-   if (fs::is_directory(path_ / name))
+   std::error_code ignored;
+   if (fs::is_directory(path_ / name, ignored))
       throw InputError((path_ / name).string() + ": is a folder; give another " + option_);
    names_.push_back(name);
    std::ofstream file(temporary(name), std::ios::binary);

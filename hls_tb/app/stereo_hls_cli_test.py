@@ -2,6 +2,7 @@
 """The program stereo_hls as its users meet it: files, messages and exit codes. Its command match: stereo_hls_match_test.py."""
 
 import json
+import subprocess
 
 import pytest
 
@@ -178,6 +179,21 @@ def test_folder_that_cannot_be_created(tmp_path, match):
     fail(tmp_path, *changed(match, "--out", tmp_path / "file"), says=["--out", tmp_path / "file"])
 
 
+def test_names_that_the_system_refuses(tmp_path, match):
+    """As in folders without rights, the look at the file itself fails."""
+    name = tmp_path / ("x" * 300)
+    fail(tmp_path, *changed(match, "--left", name), says=[name, "File name too long"])
+    fail(tmp_path, *changed(match, "--out", name), says=["--out", name, "File name too long"])
+
+
+@pytest.mark.parametrize("form", [[], ["--json"]])
+def test_a_result_that_does_not_reach_stdout_is_a_failure(form):
+    with open("/dev/full", "w") as full:
+        process = subprocess.run([PROGRAM, "configurations", *form], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert process.returncode == 1
+    assert process.stderr == "stereo_hls: internal failure: the result cannot be written to standard output\n"
+
+
 @pytest.mark.parametrize("arguments, says", [
     ([], "subcommand"),
     (["match", "--left", "x"], "--config"),
@@ -185,7 +201,8 @@ def test_folder_that_cannot_be_created(tmp_path, match):
     (["scene", "--out", "o", "--seed", "one"], "--seed"),
     (["scene", "--out", "o", "--seed", "1", "--config", "tiny", "--width", "9"], "--width"),
     (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
-    (["frobnicate"], "subcommand"),
+    (["frobnicate"], "frobnicate: there is no such command"),
+    (["--frobnicate"], "--frobnicate: there is no such command"),
 ])
 def test_wrong_usage(tmp_path, arguments, says):
     fail(tmp_path, *arguments, says=[says])

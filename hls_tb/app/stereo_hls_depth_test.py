@@ -190,6 +190,8 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
     ({"T": ([0.0, 0.0, 0.0], 1)}, [], ["--calibration"]),
     ({"T": ([0.05, 0.0, 0.0], 1)}, ["--rectified"], ["exchange --left and --right"]),
     ({}, ["--unit-mm", "0"], ["--unit-mm"]),
+    ({}, ["--unit-mm", "nan"], ["--unit-mm", "no number above 0"]),
+    ({}, ["--unit-mm", "inf"], ["--unit-mm", "no number above 0"]),
     ({}, ["--set", "window=3"], ["--set window=3"]),
     ({}, ["--set", "disparities=200"], ["--config study", "200"]),
     ({}, ["--config", "nope"], ["nope"]),
@@ -201,13 +203,18 @@ def test_wrong_calibrations(tmp_path, depth, changes, options, says):
 
 
 @pytest.mark.parametrize("content", [
-    b"", b"hello", b"%YAML:1.0\n---\n- 1\n- 2\n", b"\0\1\2\3" * 100, b"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: -3\n   cols: 3\n   dt: d\n   data: [ 1 ]\n",
+    b"", b"hello", b"%YAML:1.0\n---\n- 1\n- 2\n", b"\0\1\2\3" * 100,
     b"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 1., 2. ]\n",
-    b"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: 2000000000\n   cols: 2000000000\n   dt: d\n   data: [ 1. ]\n",
     b"<?xml version=\"1.0\"?>\n<opencv_storage><M1", b"{\"M1\": ["])
 def test_hostile_calibrations(tmp_path, depth, content):
     (tmp_path / "h.yml").write_bytes(content)
     fail(tmp_path, *depth, tmp_path / "h.yml", *plane(tmp_path), says=["h.yml", "not a calibration"])
+
+
+@pytest.mark.parametrize("rows, columns", [(-3, 3), (3, 0), (2000000000, 2000000000), (1000000000, 3)])
+def test_the_size_of_a_matrix_is_looked_at_before_there_is_memory_for_it(tmp_path, depth, rows, columns):
+    (tmp_path / "h.yml").write_text(f"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ 1. ]\n")
+    fail(tmp_path, *depth, tmp_path / "h.yml", *plane(tmp_path), says=["h.yml: its matrix M1", f"{rows}x{columns} but must be 3x3"])
 
 
 def test_images_that_do_not_fit(tmp_path, depth):

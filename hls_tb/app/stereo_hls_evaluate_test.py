@@ -156,6 +156,8 @@ def test_the_table_comes_without_json(tmp_path, pair):
     (["--truth-left", "T", "--disparity", "T"], ["--disparity", "--reference"]),
     (["--truth-left", "T", "--disparity", "T", "--reference", "both"], ["--reference", "both"]),
     (["--truth-left", "T", "--truth-scale", "0", "--config", "tiny"], ["--truth-scale"]),
+    (["--truth-left", "T", "--truth-scale", "nan", "--config", "tiny"], ["--truth-scale", "no number above 0"]),
+    (["--truth-left", "GREY", "--truth-scale", "1e-300", "--config", "tiny"], ["--truth-left", "so small a scale"]),
     (["--truth-left", "T", "--border", "-1", "--config", "tiny"], ["--border"]),
     (["--truth-left", "no.pfm", "--config", "tiny"], ["no.pfm", "no such file"]),
     (["--truth-left", "WIDE", "--config", "tiny"], ["--truth-left", "33x12", "32x12"]),
@@ -164,7 +166,7 @@ def test_the_table_comes_without_json(tmp_path, pair):
 ])
 def test_wrong_usage(tmp_path, evaluate, arguments, says):
     files = {"T": pfm(tmp_path / "t.pfm", lambda x, y: 3), "WIDE": pfm(tmp_path / "w.pfm", lambda x, y: 3, width=WIDTH + 1),
-             "COLOUR": write_image(tmp_path / "c.ppm", channels=3)}
+             "GREY": write_image(tmp_path / "g.pgm"), "COLOUR": write_image(tmp_path / "c.ppm", channels=3)}
     fail(tmp_path, *evaluate, *[files.get(word, word) for word in arguments], says=says)
 
 
@@ -180,7 +182,7 @@ def test_hostile_pfm(tmp_path, evaluate, content, says):
 @pytest.mark.parametrize("content", [b"P5\n60000 60000\n255\n", b"P5\n-3 4\n255\n", b"\x89PNG\r\n\x1a\n", b"GIF89a"])
 def test_hostile_images(tmp_path, evaluate, content):
     (tmp_path / "h.png").write_bytes(content)
-    fail(tmp_path, *evaluate, "--truth-left", tmp_path / "h.png", "--config", "tiny", says=["h.png", "not an image"])
+    fail(tmp_path, *evaluate, "--truth-left", tmp_path / "h.png", "--config", "tiny", says=["--truth-left", "h.png", "not an image"])
 
 
 def test_json_that_cannot_be_written(tmp_path, evaluate):

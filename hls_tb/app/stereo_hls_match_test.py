@@ -185,6 +185,9 @@ def test_sizes_that_differ(tmp_path, match):
 def test_sixteen_bit_images(tmp_path, match):
     deep = write_image(tmp_path / "deep.pgm", maximum=65535)
     fail(tmp_path, *changed(match, "--left", deep), says=[deep, "16 bits", "8-bit"])
+    pam = tmp_path / "two_channels.pam"
+    pam.write_bytes(b"P7\nWIDTH 2\nHEIGHT 1\nDEPTH 2\nMAXVAL 255\nTUPLTYPE GRAYSCALE_ALPHA\nENDHDR\n\1\2\3\4")
+    fail(tmp_path, *changed(match, "--left", pam), says=[pam, "2 channels", "grey"])
 
 
 def test_width_not_above_the_disparity_range(tmp_path, match):

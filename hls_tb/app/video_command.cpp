@@ -14,6 +14,7 @@
 #include "app/frame_source.hpp"
 #include "app/named_matching.hpp"
 #include "app/opencv_images.hpp"
+#include "app/positive_number.hpp"
 #include "app/vertical_offset.hpp"
 
 namespace stereo::app {
@@ -123,6 +124,7 @@ void add_video(CLI::App& app) {
    command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
        ->allow_extra_args(false);
    command->add_option("--frames-per-second", arguments.frames_per_second, "of the result; default: the input's, or 25")
+       ->check(check_positive_number)
        ->check(CLI::Range(0.1, 1000.0));
    command->add_option("--out", arguments.out, "a video NAME.avi, or a folder for images")->required();
    command->callback([] { video(arguments); });

@@ -57,7 +57,7 @@ class AviSink : public FrameSink {
       partial_ = folder / std::string(".").append(path_.stem()).append(".partial-" + std::to_string(getpid()) + ".avi");
       const SilentStderr silent;
       const int motion_jpeg = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
-      if (fs::is_directory(path_) ||
+      if (fs::is_directory(path_, ignored) ||
           !writer_.open(partial_.string(), cv::CAP_OPENCV_MJPEG, motion_jpeg, frames_per_second, size))
          throw InputError("--out " + path + ": the video cannot be written there");
    }

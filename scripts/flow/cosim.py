@@ -192,6 +192,11 @@ def _check_wave(job):
     allowed = SIMULATORS[job.simulator].wave_suffixes
     if job.wave is not None and Path(job.wave).suffix not in allowed:
         raise FlowError(f"--wave with {job.simulator} takes a name that ends in {' or '.join(allowed)}, not {Path(job.wave).name}")
+    if job.wave is not None:
+        try:
+            Path(job.wave).resolve().parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise FlowError(f"cannot create the folder of --wave {job.wave}: {error.strerror}") from None
 
 
 def _dump_wave(job, simulator, stimulus_path, out, verdict, clocks):
@@ -200,7 +205,6 @@ def _dump_wave(job, simulator, stimulus_path, out, verdict, clocks):
     centre = (first.expected or first.got).clock if first else WAVE_CLOCKS_BEFORE
     window = (max(centre - WAVE_CLOCKS_BEFORE, 0), min(centre + WAVE_CLOCKS_AFTER, clocks))
     wave = Path(job.wave).resolve()
-    wave.parent.mkdir(parents=True, exist_ok=True)
     simulator.run(stimulus_path, out / "observed_wave.txt", lambda clock: None, job.watchdog_seconds, wave, window)
     (out / "observed_wave.txt").unlink()
     return str(wave)

@@ -35,7 +35,7 @@ class ArgumentParser(argparse.ArgumentParser):
 
 
 def run_command(main):
-    """Runs a command's main function and turns FlowError into one line on stderr and the exit code."""
+    """Runs a command's main function and turns FlowError and OSError into one line on stderr and the exit code."""
     program = sys.argv[0].rsplit("/", 1)[-1]
     try:
         code = main()
@@ -47,6 +47,9 @@ def run_command(main):
     except BrokenPipeError:  # whoever read our output has seen enough, as `head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # nothing is left to be flushed into the pipe
         sys.exit(128 + signal.SIGPIPE)
+    except OSError as error:  # a file or folder that is not what the command needs
+        print(f"{program}: {error.filename or 'a file'}: {error.strerror or error}", file=sys.stderr)
+        sys.exit(EXIT_USAGE)
     except KeyboardInterrupt:
         print(f"{program}: interrupted", file=sys.stderr)
         sys.exit(130)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from . import figures, manifest, nextpnr, yosys
+from . import figures, json_files, manifest, nextpnr, yosys
 from .errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from .simulators import to_verilog
 from .tools import GENERATED_RTL, ROOT, find_ghdl, run
@@ -39,12 +39,12 @@ def read(directory):
     """implementation.json of a folder, or None when there is none."""
     path = Path(directory) / FILE
     try:
-        result = json.loads(path.read_text())
-    except OSError:
+        result = json_files.load(path)
+    except FileNotFoundError:
         return None
-    except ValueError as error:
-        raise FlowError(f"damaged {path}: {error}") from None
-    if not isinstance(result, dict) or result.get("format") != FORMAT or not isinstance(result.get("targets"), dict):
+    except (OSError, ValueError) as error:
+        raise FlowError(f"damaged {path}: {getattr(error, 'strerror', None) or error}") from None
+    if not isinstance(result, dict) or result.get("format") != FORMAT or not all(isinstance(result.get(key), dict) for key in ("targets", "vhdl_digest")):
         raise FlowError(f"damaged {path}: not of format '{FORMAT}'")
     return result
 

@@ -3,14 +3,16 @@
 
 import hashlib
 import json
+import re
 from pathlib import Path
 
+from . import json_files
 from .errors import FlowError
 from .families import keeps_vhdl
 from .tools import GENERATED_RTL, ROOT
 
 FORMAT = "stereo-hls manifest 1"
-KEYS = ("format", "configuration", "parameters", "sources", "files", "tool", "command", "tool_report")
+KEYS = {"format": str, "configuration": str, "parameters": dict, "sources": dict, "files": dict, "tool": str, "command": str, "tool_report": dict}
 
 
 def digest(path):
@@ -42,16 +44,25 @@ def read(directory):
     path = Path(directory) / "manifest.json"
     name = Path(directory).name
     try:
-        manifest = json.loads(path.read_text())
-    except OSError:
+        manifest = json_files.load(path)
+    except FileNotFoundError:
         raise FlowError(f"no generated VHDL for '{name}': {path} is missing; run scripts/synthesize.py --config {name}") from None
-    except ValueError as error:
-        raise FlowError(f"damaged manifest {path}: {error}") from None
+    except (OSError, ValueError) as error:
+        raise FlowError(f"damaged manifest {path}: {getattr(error, 'strerror', None) or error}") from None
     missing = [key for key in KEYS if not isinstance(manifest, dict) or key not in manifest]
-    if missing or manifest["format"] != FORMAT:
-        what = f"no {', '.join(missing)}" if missing else f"format '{manifest['format']}' instead of '{FORMAT}'"
-        raise FlowError(f"damaged manifest {path}: {what}")
+    if missing:
+        raise FlowError(f"damaged manifest {path}: no {', '.join(missing)}")
+    if manifest["format"] != FORMAT:
+        raise FlowError(f"damaged manifest {path}: format {manifest['format']!r} instead of '{FORMAT}'")
+    unusable = [key for key, kind in KEYS.items() if not isinstance(manifest[key], kind)]
+    unusable += [key for key in ("sources", "files") if key not in unusable and not _are_digests(manifest[key])]
+    if unusable:
+        raise FlowError(f"damaged manifest {path}: unusable {', '.join(unusable)}")
     return manifest
+
+
+def _are_digests(entries):
+    return all(re.fullmatch(r"[\w./-]{1,200}", name) and isinstance(value, str) for name, value in entries.items())
 
 
 def vhdl_files(directory):

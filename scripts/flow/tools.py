@@ -43,7 +43,7 @@ def find_stereo_hls():
     chosen = os.environ.get("STEREO_HLS")
     candidates = [Path(chosen)] if chosen else [ROOT / "build" / p / "stereo_hls" for p in ("release", "ci", "debug")]
     for candidate in candidates:
-        if os.access(candidate, os.X_OK):
+        if candidate.is_file() and os.access(candidate, os.X_OK):
             return str(candidate)
     raise FlowError(
         f"stereo_hls not found at {candidates[0]}; build it with: cmake --preset release && cmake --build --preset release",
@@ -53,7 +53,11 @@ def find_stereo_hls():
 
 def configurations():
     """The table of named configurations, as the C++ has it."""
-    return json.loads(run([find_stereo_hls(), "configurations", "--json"]))
+    program = find_stereo_hls()
+    try:
+        return json.loads(run([program, "configurations", "--json"]))
+    except ValueError:
+        raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
 
 
 def configuration(name):

@@ -20,6 +20,7 @@ from .errors import EXIT_TOOL_FAILED, FlowError
 
 
 FORMATS = {"stimulus": 1, "expected": 2}
+NUMBER = r"\d{1,18}"  # decimal; longer ones count nothing that exists
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,8 @@ class Observed:
     flags: object
 
 
-def _read_lines(path):
+def read_lines(path):
+    """The lines of a text file of a simulation."""
     try:
         return Path(path).read_text(encoding="ascii").splitlines()
     except (OSError, UnicodeDecodeError) as error:
@@ -51,9 +53,10 @@ def _read_header(path, lines, kind, count_key):
     if not match:
         raise FlowError(f"{path}, line 1: not a '{kind}' vector file of format {FORMATS[kind]}")
     header = dict(item.split("=", 1) for item in match.group(1).split())
-    for key in ("pixels", count_key):
-        if not header.get(key, "").isdigit():
-            raise FlowError(f"{path}, line 1: no number {key}=")
+    if header.get("pixels") not in ("1", "2", "4"):
+        raise FlowError(f"{path}, line 1: pixels= must be 1, 2 or 4")
+    if not re.fullmatch(NUMBER, header.get(count_key, "")):
+        raise FlowError(f"{path}, line 1: no number {count_key}=")
     if len(lines) - 1 != int(header[count_key]):
         raise FlowError(f"{path}: the first line promises {header[count_key]} lines, but {len(lines) - 1} follow")
     return header, 2 * int(header["pixels"])  # digits of a word of pixels
@@ -61,7 +64,7 @@ def _read_header(path, lines, kind, count_key):
 
 def read_stimulus(path):
     """The stimulus as a list of (valid, start_of_frame), one a clock."""
-    lines = _read_lines(path)
+    lines = read_lines(path)
     _, digits = _read_header(path, lines, "stimulus", "clocks")
     pattern = re.compile(rf"[0-3] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
     for number, line in enumerate(lines[1:], 2):
@@ -72,12 +75,12 @@ def read_stimulus(path):
 
 def read_expected(path):
     """(expected outputs, latency of the C++ core in clocks)"""
-    lines = _read_lines(path)
+    lines = read_lines(path)
     header, digits = _read_header(path, lines, "expected", "outputs")
     if header.get("disparity_bits") not in ("8", "16"):
         raise FlowError(f"{path}, line 1: disparity_bits= must be 8 or 16")
     digits = digits * int(header["disparity_bits"]) // 8
-    pattern = re.compile(rf"(\d+) (\d+) (\d+) (\d+) ([0-9a-f]{{{digits}}}) (\d+)")
+    pattern = re.compile(rf"({NUMBER}) ({NUMBER}) ({NUMBER}) ({NUMBER}) ([0-9a-f]{{{digits}}}) (\d{{1,3}})")
     outputs = []
     for number, line in enumerate(lines[1:], 2):
         match = pattern.fullmatch(line)
@@ -85,19 +88,19 @@ def read_expected(path):
             raise FlowError(f"{path}, line {number}: '{line}' is not 'clock x y frame DISPARITY flags' with {digits} digits")
         clock, x, y, frame, disparity, flags = match.groups()
         outputs.append(Expected(int(clock), int(x), int(y), int(frame), int(disparity, 16), int(flags)))
-    if not re.fullmatch(r"\d+", header.get("latency", "")):
+    if not re.fullmatch(NUMBER, header.get("latency", "")):
         raise FlowError(f"{path}, line 1: no number latency=")
     return outputs, int(header["latency"])
 
 
 def read_observed(path):
     """(observed outputs, simulated clocks). A file without its last line comes from a simulation that did not end."""
-    lines = _read_lines(path)
-    if not lines or not re.fullmatch(r"end \d+", lines[-1]):
+    lines = read_lines(path)
+    if not lines or not re.fullmatch(f"end {NUMBER}", lines[-1]):
         raise FlowError(f"{path}: the simulation did not write its last line, so it did not finish", EXIT_TOOL_FAILED)
     outputs = []
     for number, line in enumerate(lines[:-1], 1):
-        if not re.fullmatch(r"\d+ ([0-9A-Fa-f]+ \d+|X X)", line):
+        if not re.fullmatch(rf"{NUMBER} ([0-9A-Fa-f]{{1,16}} \d{{1,3}}|X X)", line):
             raise FlowError(f"{path}, line {number}: '{line}' is not 'clock DISPARITY flags'", EXIT_TOOL_FAILED)
         clock, disparity, flags = line.split()
         known = disparity != "X"

@@ -68,7 +68,7 @@ def test_bad_rows(pair, nothing_written, rows):
     refused(cosim("tiny", pair, nothing_written, f"--rows={rows}"), 2, "row")
 
 
-@pytest.mark.parametrize("option,value", [("--frames", "0"), ("--frames", "many"), ("--stall-percent", "200"), ("--simulator", "modelsim"), ("--wave", "wave.txt")])
+@pytest.mark.parametrize("option,value", [("--frames", "0"), ("--frames", "many"), ("--stall-percent", "200"), ("--simulator", "modelsim"), ("--wave", "wave.txt"), ("--watchdog", "nan"), ("--watchdog", "-1")])
 def test_bad_values(pair, nothing_written, option, value):
     refused(cosim("tiny", pair, nothing_written, option, value), 2, option.strip("-"))
 
@@ -96,6 +96,12 @@ def test_missing_bambu_says_where_to_get_it():
 def test_missing_program_says_how_to_build_it(pair):
     process = call("cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1], environment={"STEREO_HLS": "/nowhere/stereo_hls"})
     refused(process, 3, "stereo_hls not found at /nowhere/stereo_hls", "cmake --build")
+
+
+def test_another_program_in_its_place(pair, tmp_path):
+    arguments = ("cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1])
+    refused(call(*arguments, environment={"STEREO_HLS": str(tmp_path)}), 3, f"stereo_hls not found at {tmp_path}")
+    refused(call(*arguments, environment={"STEREO_HLS": "/bin/true"}), 4, "/bin/true does not list configurations")
 
 
 def test_no_vhdl_for_this_configuration(pair, nothing_written, tmp_path):
@@ -139,8 +145,20 @@ def test_output_folder_that_cannot_be(pair, tmp_path):
     refused(cosim("tiny", pair, tmp_path / "file" / "out"), 2, "cannot create")
 
 
-def test_setup_refuses_unknown_options():
+    refused(cosim("tiny", pair, tmp_path / "out", "--wave", tmp_path / "file" / "wave.vcd"), 2, "cannot create the folder of --wave")
+    assert not (tmp_path / "out").exists()
+    refused(call("build_example.py", "--out", tmp_path / "file"), 2, "file: File exists")
+    refused(call("lint.py", "--rtl", tmp_path / "file"), 2, "file/", "Not a directory")
+
+
+def test_shell_scripts_refuse_unknown_options():
+    refused(call("tidy.sh", "--everything"), 2, "unknown option '--everything'")
+    refused(call("tidy.sh", "nowhere.cpp"), 2, "nowhere.cpp: there is no such file")
+    refused(call("tidy.sh", environment={"CLANG_TIDY": "/nowhere/clang-tidy"}), 3, "SKIP: /nowhere/clang-tidy is not installed", "apt-get install")
     refused(call("setup.sh", "--everything"), 2, "unknown option '--everything'")
+    refused(call("fuzz.sh", "--everything"), 2, "unknown option '--everything'")
+    refused(call("fuzz.sh", "everything"), 2, "unknown target 'everything'", "calibration", "stimulus")
+    refused(call("fuzz.sh", "--seconds", "0"), 2, "--seconds")
 
 
 def test_scripts_are_documented():

@@ -32,7 +32,7 @@ def test_good_files_are_read(tmp_path):
     (STIMULUS.replace("stimulus 1", "stimulus 2"), "line 1: not a 'stimulus'"),
     (STIMULUS.replace("clocks=3", "clocks=4"), "promises 4 lines, but 3 follow"),
     (STIMULUS.replace("clocks=3", "clocks=many"), "no number clocks="),
-    (STIMULUS.replace("pixels=1 ", ""), "no number pixels="),
+    (STIMULUS.replace("pixels=1 ", ""), "pixels= must be 1, 2 or 4"),
     (STIMULUS.replace("pixels=1", "pixels=2"), "line 2: '3 01 ff' is not 'F LEFT RIGHT' with 4 digits"),
     (STIMULUS.replace("a0", "g0"), "line 4: '1 g0 0b'"),
     (STIMULUS.replace("3 01", "4 01"), "line 2: '4 01 ff'"),

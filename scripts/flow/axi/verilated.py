@@ -8,6 +8,7 @@ import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from .. import vectors
 from ..errors import EXIT_TOOL_FAILED, FlowError
 from ..simulators import to_verilog
 from ..tools import ROOT, find_verilator, run, run_with_progress
@@ -76,13 +77,14 @@ class Verilated:
 def read_observation(path):
     """The file that verilator_axi_bench.cpp writes; its last line says how the simulation ended."""
     seen = Observation()
-    lines = Path(path).read_text().splitlines()
-    end = re.fullmatch(r"(end|hang) (\d+)", lines[-1]) if lines else None
+    lines = vectors.read_lines(path)
+    end = re.fullmatch(rf"(end|hang) ({vectors.NUMBER})", lines[-1]) if lines else None
     if not end:
         raise FlowError(f"{path}: the simulation did not write its last line, so it did not finish", EXIT_TOOL_FAILED)
     for line in lines[:-1]:
-        if line.startswith("o "):
-            _, data, flags, clock = line.split()
+        beat = re.fullmatch(rf"o ([0-9a-f]{{1,32}}) ({vectors.NUMBER}) ({vectors.NUMBER})", line)
+        if beat and seen.segments:
+            data, flags, clock = beat.groups()
             seen.segments[-1].append((int(data, 16), int(flags), int(clock)))
         elif line == "r":
             seen.segments.append([])

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/disparity_files.hpp"
+#include "app/errors.hpp"
+#include "app/masks.hpp"
+#include "app/measures.hpp"
+#include "app/pfm.hpp"
+#include "fuzz/memory_file.hpp"
+#include "fuzz/targets.hpp"
+
+namespace stereo::fuzz {
+namespace {
+
+constexpr std::size_t kMostPixels = 4096;  ///< that are evaluated: more only take time
+
+void check(const app::DisparityImage& map) {
+   promise(map.width >= 1 && map.height >= 1, "a map has pixels");
+   promise(map.px.size() == std::size_t(map.width) * std::size_t(map.height), "a map has all its pixels");
+   for (const float value : map.px)
+      promise(!app::has_disparity(value) || std::abs(value) <= app::kLargestDisparity, "a disparity is in range");
+}
+
+void evaluate(const app::DisparityImage& map) {
+   for (const Reference side : {Reference::left, Reference::right})
+      for (const int border : {0, 2})
+         for (const app::NamedMask& mask :
+              app::evaluation_masks(GrayImage(map.width, map.height), map, &map, side, border)) {
+            const app::Measures measures = app::measure(map, map, mask.mask);
+            promise(measures.valid == measures.pixels && measures.d1 == 0, "a map does not differ from itself");
+         }
+}
+
+}  // namespace
+
+bool disparities(std::string_view bytes) {
+   const MemoryFile file(bytes);
+   bool taken = false;
+   for (const double scale : {1.0, 4.0, 1e-6, 1e-300}) try {
+         const app::DisparityImage map = app::load_disparities("--truth-left", file.path(), scale);
+         taken = true;
+         check(map);
+         if (map.px.size() <= kMostPixels) evaluate(map);
+      } catch (const app::InputError& refusal) {
+         check_refusal(refusal, "--truth-left " + file.path() + ": ");
+      }
+   return taken;
+}
+
+}  // namespace stereo::fuzz
