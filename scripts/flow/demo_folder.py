@@ -6,11 +6,11 @@
     cosim-verilator/  report.json
 """
 
-import json
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import performance
+from . import json_files, performance
 from .errors import FlowError
 from .tools import GENERATED_RTL
 
@@ -19,6 +19,7 @@ MAP = Path("match/disparity.png")
 VALID = Path("match/valid.png")
 COSIMS = ("cosim-ghdl", "cosim-verilator")
 MATCH_FORMAT = "stereo-hls match 1"
+LARGEST = 1e18  # beyond it no number of a demo lies
 
 _MATCH_KEYS = {
     "config": str, "engine": str, "left": str, "right": str, "fit": str, "width_px": int, "height_px": int, "disparities": int,
@@ -69,7 +70,9 @@ def read_demo(folder):
         raise FlowError(f"{folder}: there is no such folder; make it with scripts/demo.sh")
     match = _read_json(folder / "match" / "match.json", _MATCH_KEYS)
     if match.get("format") != MATCH_FORMAT:
-        raise FlowError(f"{folder / 'match' / 'match.json'}: format '{match.get('format')}' instead of '{MATCH_FORMAT}'")
+        raise FlowError(f"{folder / 'match' / 'match.json'}: format {match.get('format')!r} instead of '{MATCH_FORMAT}'")
+    if not re.fullmatch(r"\w{1,100}", match["config"]):
+        raise FlowError(f"{folder / 'match' / 'match.json'} is damaged: unusable 'config'")
     if "truth" in match:
         _check(folder / "match" / "match.json", match["truth"], _TRUTH_KEYS)
     cosims = [_read_cosim(folder / name / "report.json", match["config"]) for name in COSIMS]
@@ -83,7 +86,7 @@ def read_demo(folder):
 
 def _read_json(path, keys):
     try:
-        content = json.loads(path.read_text())
+        content = json_files.load(path)
     except OSError as error:
         raise FlowError(f"{path}: {error.strerror}; make it with scripts/demo.sh") from None
     except ValueError as error:
@@ -97,9 +100,14 @@ def _check(path, content, keys):
     if not isinstance(content, dict):
         raise FlowError(f"{path} is damaged: not an object with keys")
     for key, kinds in keys.items():
-        value = content.get(key)
-        if key not in content or not isinstance(value, kinds) or (isinstance(value, bool) and kinds is not bool):
+        if key not in content or not _is_usable(content[key], kinds):
             raise FlowError(f"{path} is damaged: {'no' if key not in content else 'unusable'} '{key}'")
+
+
+def _is_usable(value, kinds):
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return isinstance(value, kinds) and (not isinstance(value, bool) or kinds is bool)
+    return isinstance(value, kinds) and abs(value) < LARGEST
 
 
 def _read_cosim(path, config):
@@ -107,7 +115,7 @@ def _read_cosim(path, config):
     if content["initiation_interval"] is not None:
         _check(path, content["initiation_interval"], _INTERVAL_KEYS)
     if content["config"] != config:
-        raise FlowError(f"{path} is of configuration {content['config']}, but the disparity map is of {config}")
+        raise FlowError(f"{path} is of configuration {content['config']!r}, but the disparity map is of {config}")
     return content
 
 
