@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from conftest import SEED
-from flow import checker, implement, manifest, report, vectors
+from flow import checker, demo_folder, implement, manifest, report, vectors
 from flow.axi import verilated
 from flow.errors import FlowError
 from flow.tools import GENERATED_RTL
@@ -26,8 +26,9 @@ EXPECTED = b"stereo-hls expected 2 config=tiny pixels=2 disparity_bits=16 output
 OBSERVED = b"50 3 1\n51 X X\n52 1f 4\nend 60\n"
 OBSERVATION = b"r\no 03 1 17\nr\np a promise\no ff 2 90\nend 120\n"
 MATCH = {
-    "format": report.MATCH_FORMAT, "config": "tiny", "engine": "fast", "left": "left.png", "right": "right.png", "fit": "none", "width_px": 32,
-    "height_px": 12, "disparities": 8, "window_px": 3, "output_width_px": 24, "output_height_px": 12, "milliseconds": 0.25,
+    "format": demo_folder.MATCH_FORMAT, "config": "tiny", "engine": "fast", "left": "left.png", "right": "right.png", "fit": "none", "width_px": 32,
+    "height_px": 12, "disparities": 8, "window_px": 3, "output_width_px": 24, "output_height_px": 12, "output_first_column": 0,
+    "disparity_steps_per_px": 1, "min_disparity": 0, "reference": "right", "milliseconds": 0.25,
     "truth": {"disparity": "disparity.png", "visible": "visible.png", "tolerance_px": 1, "compared_px": 200, "bad_px": 3},
 }
 COSIM = {
@@ -76,10 +77,9 @@ def use_demo(folder, name):
     for path, content in (("match/match.json", MATCH), ("cosim-ghdl/report.json", COSIM), ("cosim-verilator/report.json", COSIM)):
         (folder / path).parent.mkdir(exist_ok=True)
         (folder / path).write_text(json.dumps(content))
-    (folder / report.PICTURE).write_bytes(PNG)
+    (folder / demo_folder.MAP).write_bytes(PNG)
     (folder / name).replace(folder / TARGETS[name])
-    demo = report.read_demo(folder)
-    assert b"<html" in report.render(demo).encode()
+    demo = demo_folder.read_demo(folder)
     assert report.summary(demo).startswith(("PASS", "FAIL"))
 
 
