@@ -55,7 +55,7 @@ for target in "${targets[@]}"; do
    corpus=$work/corpus/$target finds=$work/found/$target log=$work/$target.log
    mkdir -p "$corpus" "$finds"
    rm -f "$work/$target".report.*
-   ASAN_OPTIONS=log_path=$work/$target.report UBSAN_OPTIONS=log_path=$work/$target.report:print_stacktrace=1 \
+   ASAN_OPTIONS=log_path=$work/$target.report:quarantine_size_mb=32 UBSAN_OPTIONS=log_path=$work/$target.report:print_stacktrace=1 \
       "$work/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=20 -max_len=4096 -detect_leaks=0 -print_final_stats=1 \
       -artifact_prefix="$finds/" "$corpus" "hls_tb/fuzz/corpus/$target" >"$log" 2>&1 &
    fuzzer=$!

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/calibration.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -16,7 +15,6 @@ namespace stereo::app {
 namespace {
 
 constexpr uintmax_t kLargestFile = 16 << 20;  ///< bytes; a calibration takes some thousand
-constexpr std::chrono::seconds kLongest{5};   ///< for reading it, which takes some milliseconds
 
 struct Entry {
    const char* name;
@@ -101,14 +99,14 @@ void take_answer(Calibration& calibration, std::string_view bytes) {
    }
 }
 
-void read_into(Calibration& calibration, const std::string& path) {
+void read_into(Calibration& calibration, const std::string& path, std::chrono::milliseconds limit) {
    std::error_code error;
    if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": there is no such file");
    const std::string sentence =
        path + ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib writes it";
    if (std::filesystem::file_size(path, error) > kLargestFile) throw InputError(sentence);
    // OpenCV 4.6 crashes on some XML files and never comes back from some YAML files (fuzz/corpus/calibration/).
-   const auto found = done_by_child([&] { return answer(path, sentence); }, kLongest);
+   const auto found = done_by_child([&] { return answer(path, sentence); }, limit);
    if (!found || found->empty()) throw InputError(sentence);
    if (found->front() == kRefused) throw InputError(found->substr(1));
    take_answer(calibration, std::string_view(*found).substr(1));
@@ -116,10 +114,11 @@ void read_into(Calibration& calibration, const std::string& path) {
 
 }  // namespace
 
-Calibration load_calibration(const std::string& path, const std::string& extrinsics_path) {
+Calibration load_calibration(const std::string& path, const std::string& extrinsics_path,
+                             std::chrono::milliseconds limit) {
    Calibration calibration;
-   read_into(calibration, path);
-   if (!extrinsics_path.empty()) read_into(calibration, extrinsics_path);
+   read_into(calibration, path, limit);
+   if (!extrinsics_path.empty()) read_into(calibration, extrinsics_path, limit);
    return calibration;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
@@ -17,8 +18,9 @@ struct Calibration {
 
 /// Reads a YAML, XML or JSON file of OpenCV's and, where the name is not empty, a second one with what the first one
 /// lacks. Throws InputError with one sentence on files that cannot be read and matrices of a wrong shape or with values
-/// that are not finite.
-Calibration load_calibration(const std::string& path, const std::string& extrinsics_path);
+/// that are not finite, and on files that take longer than `limit`; a good one takes some milliseconds.
+Calibration load_calibration(const std::string& path, const std::string& extrinsics_path,
+                             std::chrono::milliseconds limit = std::chrono::seconds(5));
 
 /// A rectified pair in space, lengths in the calibration's unit.
 struct RectifiedGeometry {

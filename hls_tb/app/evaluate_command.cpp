@@ -73,8 +73,10 @@ GroundTruth load(const Arguments& arguments) {
 }
 
 void score(EvaluatedMethod& method, const DisparityImage& found, const GroundTruth& truth) {
+   const std::optional<DisparityImage>& wanted = truth.of(method.reference);
+   if (!wanted) return;
    for (const NamedMask& mask : truth.masks(method.reference)) {
-      const Measures measures = measure(found, *truth.of(method.reference), mask.mask);
+      const Measures measures = measure(found, *wanted, mask.mask);
       if (measures.pixels > 0) method.masks.push_back({mask.name, measures});
    }
 }

@@ -64,7 +64,7 @@ cv::Mat read_image(const std::string& path, const std::string& name) {
 }
 
 cv::Mat read_8_bit_image(const std::string& path) {
-   const cv::Mat mat = read_image(path, path);
+   cv::Mat mat = read_image(path, path);
    if (mat.depth() != CV_8U)
       throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
                        " bits a channel but must have 8; convert it to an 8-bit image");

@@ -11,6 +11,7 @@ namespace stereo::fuzz {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
+constexpr std::chrono::milliseconds kLimit{500};  ///< OpenCV does not come back from some files
 
 void check(const app::RectifiedGeometry& geometry) {
    promise(geometry.focal_px > 0 && geometry.baseline > 0, "a geometry has a focal length and a baseline");
@@ -48,7 +49,7 @@ bool calibration(std::string_view bytes) {
    const MemoryFile file(bytes);
    app::Calibration calibration;
    try {
-      calibration = app::load_calibration(file.path(), file.path());
+      calibration = app::load_calibration(file.path(), file.path(), kLimit);
    } catch (const app::InputError& refusal) {
       check_refusal(refusal, file.path() + ": ");
       return false;
