@@ -35,7 +35,7 @@ def test_line_memories_are_ram(name):
     for target, result in committed(name)["targets"].items():
         assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
         declared = manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
-        assert 0.95 * declared <= result["memory_bits"] <= declared, "bits that never change may fall away"
+        assert 0.9 * declared <= result["memory_bits"] <= declared, "bits that never change may fall away, as those above a small D"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
