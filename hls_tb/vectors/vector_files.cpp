@@ -38,7 +38,7 @@ class LineReader {
       const std::string prefix = " " + key + "=";
       if (!rest.starts_with(prefix)) fail("\"" + line_ + "\" has no" + prefix + "<value> where it belongs");
       const std::size_t end = rest.find(' ', prefix.size());
-      const std::string value = rest.substr(prefix.size(), end - prefix.size());
+      std::string value = rest.substr(prefix.size(), end - prefix.size());
       rest = end == std::string::npos ? "" : rest.substr(end);
       return value;
    }

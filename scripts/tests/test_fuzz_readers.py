@@ -18,7 +18,7 @@ from flow.tools import GENERATED_RTL
 hypothesis = pytest.importorskip("hypothesis", reason="SKIP: python3-hypothesis is not installed")
 from hypothesis import strategies as st  # noqa: E402
 
-EXAMPLES = int(os.environ.get("STEREO_FUZZ_EXAMPLES", "25"))
+EXAMPLES = int(os.environ.get("STEREO_FUZZ_EXAMPLES", "50"))
 LONGEST = 3000  # bytes of a damaged file that are looked at
 
 STIMULUS = b"stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
