@@ -64,11 +64,6 @@ add_executable(
   vectors/matching_parameters_test.cpp)
 target_include_directories(stereo_model_tests SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
 target_link_libraries(stereo_model_tests PRIVATE stereo_fuzz_targets stereo_test_support ${OpenCV_LIBS} stereo_strict_warnings)
-find_package(OpenCV QUIET OPTIONAL_COMPONENTS core calib3d)
-if(TARGET opencv_calib3d)
-  target_compile_definitions(stereo_model_tests PRIVATE STEREO_HAS_STEREO_BM)
-  target_link_libraries(stereo_model_tests PRIVATE opencv_calib3d)
-endif()
 gtest_discover_tests(stereo_model_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit TIMEOUT 600)
 
 # Member by member: what stereo_config.hpp refuses, and its sentence.

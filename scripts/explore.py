@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import explore, front, hardware_cost  # noqa: E402
+from flow import evaluation, explore, front, hardware_cost  # noqa: E402
 from flow.errors import EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
 from flow.tools import ROOT  # noqa: E402
 from rich.console import Console  # noqa: E402
@@ -26,8 +26,8 @@ def parse():
     parser.add_argument("--range", dest="ranges", nargs="+", type=int, default=[64], metavar="D", help="disparities (default 64)")
     parser.add_argument("--switch", nargs="*", choices=sorted(explore.SWITCHES), default=["xsobel", "left_right", "subpixel", "median"],
                         help="options to sweep off and on (default xsobel left_right subpixel median)")
-    parser.add_argument("--mask", choices=explore.MASKS, default="non_occluded", help="region that counts (default non_occluded)")
-    parser.add_argument("--measure", choices=explore.MEASURES, default="bad_1", help="what the front is of (default bad_1)")
+    parser.add_argument("--mask", choices=evaluation.MASKS, default="non_occluded", help="region that counts (default non_occluded)")
+    parser.add_argument("--measure", choices=evaluation.MEASURES, default="bad_1", help="what the front is of (default bad_1)")
     parser.add_argument("--valid-only", action="store_true", help="leave rejected pixels out instead of counting them as bad")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time (default one for each processor)")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "explore", metavar="DIR", help="folder for explore.json, explore.csv and front.png")

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import features  # noqa: E402
+from flow import features, files  # noqa: E402
 from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
 
 
@@ -19,7 +19,7 @@ def main():
             raise FlowError("docs/features.md is not up to date; run scripts/features.py", EXIT_MISMATCH)
         print("docs/features.md is up to date")
         return EXIT_OK
-    features.PAGE.write_text(text)
+    files.write(features.PAGE, text)
     print(f"wrote {features.PAGE.relative_to(features.ROOT)}")
     return EXIT_OK
 

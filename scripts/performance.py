@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import implement, performance  # noqa: E402
+from flow import files, implement, performance  # noqa: E402
 from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
 
 
@@ -24,8 +24,7 @@ def main():
         print("docs/performance.md is up to date")
         return EXIT_OK
     text = performance.page()
-    performance.PAGE.parent.mkdir(exist_ok=True)
-    performance.PAGE.write_text(text)
+    files.write(performance.PAGE, text)
     print(f"wrote {performance.PAGE.relative_to(performance.ROOT)}")
     return EXIT_OK
 

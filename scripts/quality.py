@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import quality  # noqa: E402
+from flow import files, quality  # noqa: E402
 from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
 
 
@@ -30,7 +30,7 @@ def main():
             raise FlowError("docs/quality.md is not up to date; run scripts/quality.py", EXIT_MISMATCH)
         print("docs/quality.md is up to date")
         return EXIT_OK
-    quality.write(page, text)
+    files.write(page, text)
     print(f"wrote {page.relative_to(quality.ROOT)}")
     return EXIT_OK
 

@@ -6,8 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import page as page_files  # noqa: E402
-from flow import report  # noqa: E402
+from flow import files, report  # noqa: E402
 from flow.errors import EXIT_OK, ArgumentParser, run_command  # noqa: E402
 
 
@@ -18,7 +17,7 @@ def main():
     options = parser.parse_args()
     demo = report.read_demo(options.demo)
     page = options.out or options.demo / "report.html"
-    page_files.write(page, report.render(demo))
+    files.write(page, report.render(demo))
     print(f"Page: {page}, picture: {options.demo / report.PICTURE}")
     print(report.summary(demo))
     return EXIT_OK

@@ -112,6 +112,24 @@ void read_into(Calibration& calibration, const std::string& path, std::chrono::m
    take_answer(calibration, std::string_view(*found).substr(1));
 }
 
+/// `name`: the matrices that it comes from.
+RectifiedGeometry checked(const RectifiedGeometry& geometry, const std::string& name) {
+   if (geometry.focal_px <= 0 || geometry.baseline == 0)
+      throw InputError("--calibration: its " + name + " lacks the focal length or the baseline of a rectified pair");
+   if (geometry.baseline < 0)
+      throw InputError(
+          "--calibration: its right camera stands to the left of the left one: exchange --left and --right, and "
+          "calibrate in that order");
+   return geometry;
+}
+
+/// `shift`: from the left camera's axis to the right one's, below 0 when that stands to the right.
+RectifiedGeometry geometry_of_cameras(const cv::Mat& left, const cv::Mat& right, double shift,
+                                      const std::string& name) {
+   const double x = left.at<double>(0, 2);
+   return checked({left.at<double>(0, 0), -shift, x, left.at<double>(1, 2), x - right.at<double>(0, 2)}, name);
+}
+
 }  // namespace
 
 Calibration load_calibration(const std::string& path, const std::string& extrinsics_path,
@@ -124,37 +142,19 @@ Calibration load_calibration(const std::string& path, const std::string& extrins
 
 RectifiedGeometry geometry_of_q(const cv::Mat& q) {
    const auto at = [&q](int row, int column) { return q.at<double>(row, column); };
-   if (at(3, 2) == 0 || at(2, 3) <= 0)
-      throw InputError("the calibration's Q is not that of a rectified pair: its focal length or baseline is missing");
-   if (at(3, 2) < 0)
-      throw InputError(
-          "the calibration's right camera stands to the left of the left one: exchange --left and --right, and "
-          "calibrate in that order");
-   const double baseline = 1 / at(3, 2);
-   return {at(2, 3), baseline, -at(0, 3), -at(1, 3), -at(3, 3) * baseline};
+   const double baseline = at(3, 2) == 0 ? 0 : 1 / at(3, 2);
+   return checked({at(2, 3), baseline, -at(0, 3), -at(1, 3), -at(3, 3) * baseline}, "Q");
 }
 
 RectifiedGeometry rectified_geometry(const Calibration& calibration) {
    if (!calibration.q.empty()) return geometry_of_q(calibration.q);
-   cv::Mat q = cv::Mat::zeros(4, 4, CV_64F);
-   double focal = 0, offset = 0;
-   const auto fill = [&](const cv::Mat& left, const cv::Mat& right, double shift) {
-      focal = left.at<double>(0, 0);
-      offset = shift;
-      q.at<double>(0, 3) = -left.at<double>(0, 2);
-      q.at<double>(1, 3) = -left.at<double>(1, 2);
-      q.at<double>(2, 3) = focal;
-      q.at<double>(3, 2) = offset == 0 ? 0 : -1 / offset;
-      q.at<double>(3, 3) = offset == 0 ? 0 : (left.at<double>(0, 2) - right.at<double>(0, 2)) / offset;
-   };
    if (!calibration.p1.empty() && !calibration.p2.empty() && calibration.p2.at<double>(0, 0) != 0)
-      fill(calibration.p1, calibration.p2, calibration.p2.at<double>(0, 3) / calibration.p2.at<double>(0, 0));
-   else if (!calibration.m1.empty() && !calibration.t.empty())
-      fill(calibration.m1, calibration.m2.empty() ? calibration.m1 : calibration.m2, calibration.t.at<double>(0, 0));
-   else
-      throw InputError(
-          "--calibration: has neither Q, nor P1 and P2, nor M1 and T, of which a rectified pair needs one");
-   return geometry_of_q(q);
+      return geometry_of_cameras(calibration.p1, calibration.p2,
+                                 calibration.p2.at<double>(0, 3) / calibration.p2.at<double>(0, 0), "P1 and P2");
+   if (!calibration.m1.empty() && !calibration.t.empty())
+      return geometry_of_cameras(calibration.m1, calibration.m2.empty() ? calibration.m1 : calibration.m2,
+                                 calibration.t.at<double>(0, 0), "M1 and T");
+   throw InputError("--calibration: has neither Q, nor P1 and P2, nor M1 and T, of which a rectified pair needs one");
 }
 
 }  // namespace stereo::app

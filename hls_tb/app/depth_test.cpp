@@ -214,9 +214,9 @@ TEST(RectifiedGeometry, RefusesWhatIsNone) {
    calibration.t = (cv::Mat_<double>(3, 1) << 100, 0, 0);
    EXPECT_NE(sentence(calibration).find("exchange --left and --right"), std::string::npos);
    calibration.t = cv::Mat::zeros(3, 1, CV_64F);
-   EXPECT_NE(sentence(calibration).find("focal length or baseline is missing"), std::string::npos);
+   EXPECT_NE(sentence(calibration).find("lacks the focal length or the baseline"), std::string::npos);
    calibration.q = cv::Mat::zeros(4, 4, CV_64F);
-   EXPECT_NE(sentence(calibration).find("focal length or baseline is missing"), std::string::npos);
+   EXPECT_NE(sentence(calibration).find("lacks the focal length or the baseline"), std::string::npos);
 }
 
 }  // namespace

@@ -22,20 +22,24 @@ cv::Ptr<cv::StereoMatcher> create(const OpenCvMatcher& matcher) {
 }  // namespace
 
 nlohmann::json parameters_json(const OpenCvMatcher& matcher) {
-   nlohmann::json json{{"disparities", matcher.disparities}, {"block_px", matcher.block_px}, {"min_disparity", 0}};
-   const int area = matcher.block_px * matcher.block_px;
-   if (matcher.kind == OpenCvMatcher::Kind::bm)
-      json.update(
-          {{"prefilter", "xsobel"}, {"prefilter_cap", 31}, {"texture_threshold", 10}, {"uniqueness_percent", 15}});
-   else
-      json.update({{"p1", 10 * area},
-                   {"p2", 40 * area},
-                   {"disp12_max_diff", 1},
-                   {"prefilter_cap", 63},
-                   {"uniqueness_percent", 10},
-                   {"speckle_window_px", 100},
-                   {"speckle_range", 32},
-                   {"mode", "sgbm"}});
+   const cv::Ptr<cv::StereoMatcher> made = create(matcher);
+   nlohmann::json json{{"disparities", made->getNumDisparities()},
+                       {"block_px", made->getBlockSize()},
+                       {"min_disparity", made->getMinDisparity()},
+                       {"disp12_max_diff", made->getDisp12MaxDiff()},
+                       {"speckle_window_px", made->getSpeckleWindowSize()},
+                       {"speckle_range", made->getSpeckleRange()}};
+   if (const auto bm = made.dynamicCast<cv::StereoBM>())
+      json.update({{"prefilter", bm->getPreFilterType() == cv::StereoBM::PREFILTER_XSOBEL ? "xsobel" : "normalized"},
+                   {"prefilter_cap", bm->getPreFilterCap()},
+                   {"texture_threshold", bm->getTextureThreshold()},
+                   {"uniqueness_percent", bm->getUniquenessRatio()}});
+   if (const auto sgbm = made.dynamicCast<cv::StereoSGBM>())
+      json.update({{"p1", sgbm->getP1()},
+                   {"p2", sgbm->getP2()},
+                   {"prefilter_cap", sgbm->getPreFilterCap()},
+                   {"uniqueness_percent", sgbm->getUniquenessRatio()},
+                   {"mode", sgbm->getMode() == cv::StereoSGBM::MODE_SGBM ? "sgbm" : "other"}});
    return json;
 }
 

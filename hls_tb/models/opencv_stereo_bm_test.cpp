@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "app/images.hpp"
@@ -13,10 +14,6 @@
 #include "support/map_compare.hpp"
 #include "support/seed.hpp"
 #include "support/test_pairs.hpp"
-
-#ifdef STEREO_HAS_STEREO_BM
-#include <opencv2/calib3d.hpp>
-#endif
 
 namespace stereo::test {
 namespace {
@@ -50,8 +47,6 @@ TEST(OpenCv, MedianIsTheSame) {
       EXPECT_TRUE(same_map(opencv_median<uint16_t>(map), median_filtered(map))) << width << 'x' << height;
    }
 }
-
-#ifdef STEREO_HAS_STEREO_BM
 
 struct BmOptions {
    int disparities = 64;
@@ -209,12 +204,6 @@ TEST(OpenCv, StereoBmLeavesTheLastOfAnOddNumberOfRowsUnfiltered) {
       EXPECT_EQ(odd.first_y, 60 - window / 2) << "only windows that reach the last row differ";
    }
 }
-
-#else
-
-TEST(OpenCv, StereoBm) { GTEST_SKIP() << "SKIP: OpenCV's calib3d is missing"; }
-
-#endif
 
 }  // namespace
 }  // namespace stereo::test

@@ -28,7 +28,7 @@ DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
 class StimulusTest : public ::testing::TestWithParam<const char*> {
   protected:
    void SetUp() override {
-      if (find_configuration(GetParam()) == nullptr) GTEST_SKIP() << "not built: STEREO_CONFIGURATIONS";
+      if (find_configuration(GetParam()) == nullptr) GTEST_SKIP() << "SKIP: this build (STEREO_CONFIGURATIONS) has no " << GetParam();
    }
    const Configuration& core() const { return *find_configuration(GetParam()); }
    const StereoConfig& config() const { return core().config; }

@@ -105,12 +105,10 @@ def exit_code(report):
 def _explain(job, parameters, simulator, files, first, clocks):
     """Waveform and page of the first mismatch. A model of Verilator has no waveform built in: GHDL runs the same VHDL for it."""
     out = job.out_directory()
-    if first.clock > AUTOMATIC_WAVE_CLOCKS:
-        print(f"  no waveform by itself beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
 
     def dump(path, window):
         if first.clock > AUTOMATIC_WAVE_CLOCKS:
-            return
+            raise FlowError(f"it lies beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
         source = simulator
         if not isinstance(simulator, Ghdl):
             source = Ghdl(files, SIMULATIONS / f"{job.config}-ghdl", parameters["pixels_per_clock"], parameters["disparity_bits"])

@@ -5,29 +5,22 @@ import csv
 import io
 import itertools
 import json
-import os
 import shlex
-import tempfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
-from . import hardware_cost, page
-from .errors import EXIT_TOOL_FAILED, FlowError
-from .tools import find_stereo_hls, run
+from . import evaluation, files, hardware_cost
+from .errors import FlowError
 
 FORMAT = "stereo-hls exploration 1"
-EVALUATION_FORMAT = "stereo-hls evaluation 1"
 PROGRAM = "build/release/stereo_hls"
 # Each option by the configuration that has it beside the plain core: its settings are those that were synthesised.
 COSTS = {"sad": hardware_cost.BASE, "ssd": "study_ssd", "census": "study_census"}
 SWITCHES = {"xsobel": "study_xsobel", "left_right": "study_left_right", "uniqueness": "study_uniqueness", "texture": "study_texture",
             "subpixel": "study_subpixel", "median": "study_median", "left": "study_left"}
-MASKS = ("non_occluded", "all", "discontinuity", "textureless")
-MEASURES = ("bad_0_5", "bad_1", "bad_2", "bad_4", "d1")
-SCENE = {"width": 450, "height": 375, "disparities": 64}
 
 
 @dataclass(frozen=True)
@@ -86,47 +79,31 @@ def choices(sweep, family):
 
 
 def generated_scenes(number, disparities, folder):
-    """Pairs with truth of both images, made by the program itself; `disparities`: the largest that the scene shows."""
-    pairs = []
-    for seed in range(1, number + 1):
-        out = folder / f"scene{seed}"
-        size = {**SCENE, "disparities": disparities}
-        run([find_stereo_hls(), "scene", *itertools.chain(*((f"--{key}", value) for key, value in size.items())), "--seed", seed, "--out", out], passes_errors=True)
-        pairs.append(Pair(f"scene {seed}", out / "left.png", out / "right.png", out / "disparity_left.png", out / "disparity_right.png"))
-    return pairs
+    """Pairs with truth of both images; `disparities`: the largest range that is explored."""
+    return [Pair(f"scene {seed}", *evaluation.scene(seed, disparities, folder / f"scene{seed}").values()) for seed in range(1, number + 1)]
 
 
-def command(pair, choice, program=PROGRAM):
-    return [program, "evaluate", *pair.words(), "--config", hardware_cost.BASE, *itertools.chain(*(("--set", setting) for setting in choice.settings))]
+def words(pair, choice):
+    """What `stereo_hls evaluate` takes."""
+    return [*pair.words(), "--config", hardware_cost.BASE, *itertools.chain(*(("--set", setting) for setting in choice.settings))]
 
 
-def _evaluate(pair, choice, scratch):
-    """The method's entry of one evaluation."""
-    descriptor, path = tempfile.mkstemp(suffix=".json", dir=scratch)
-    os.close(descriptor)
-    run([*command(pair, choice, find_stereo_hls()), "--json", path], passes_errors=True)
-    try:
-        content = json.loads(Path(path).read_text())
-        method = content["methods"][0]
-        if content["format"] != EVALUATION_FORMAT or not isinstance(method["parameters"], dict) or not isinstance(method["masks"], dict):
-            raise KeyError(content["format"])
-    except (ValueError, KeyError, IndexError, TypeError):
-        raise FlowError(f"stereo_hls evaluate gave something else than '{EVALUATION_FORMAT}'", EXIT_TOOL_FAILED) from None
-    return method
+def command(pair, choice):
+    return shlex.join(str(word) for word in (PROGRAM, "evaluate", *words(pair, choice)))
 
 
 def evaluate(pairs, all_choices, jobs):
     """[[method of each pair] of each choice]. Every evaluation is a process of its own, `jobs` at a time."""
     results = [[None] * len(pairs) for _ in all_choices]
-    with tempfile.TemporaryDirectory() as scratch, Progress(
+    with Progress(
         TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn()
     ) as bar, ThreadPoolExecutor(jobs) as pool:
         task = bar.add_task("", total=len(all_choices) * len(pairs))
-        futures = {pool.submit(_evaluate, pair, choice, scratch): (i, j) for i, choice in enumerate(all_choices) for j, pair in enumerate(pairs)}
+        futures = {pool.submit(evaluation.evaluate, *words(pair, choice)): (i, j) for i, choice in enumerate(all_choices) for j, pair in enumerate(pairs)}
         try:
             for future in as_completed(futures):
                 i, j = futures[future]
-                results[i][j] = future.result()
+                results[i][j] = future.result()[0]
                 bar.advance(task)
         except BaseException:
             pool.shutdown(cancel_futures=True)
@@ -149,12 +126,12 @@ def rows(pairs, all_choices, methods, family, mask):
         cost = family.cost(of_pairs[0]["parameters"])
         row = {"title": choice.title, "window": choice.window, "cost": choice.cost, "disparities": choice.disparities, "switches": list(choice.switches),
                "luts": cost.luts, "luts_are": cost.kind, "luts_from": list(cost.sources), "luts_missing": list(cost.missing)}
-        for name in MEASURES:
+        for name in evaluation.MEASURES:
             for way in ("invalid_bad", "valid_only"):
                 row[f"{name}_{way}_percent"] = 100 * _mean(m[name][way] for m in masks)
         row |= {"density_percent": 100 * _mean(m["density"] for m in masks), "rms_px": _mean(m["rms_px"] for m in masks),
                 "milliseconds": _mean(method["milliseconds"] for method in of_pairs),
-                "commands": [shlex.join(str(word) for word in command(pair, choice)) for pair in pairs]}
+                "commands": [command(pair, choice) for pair in pairs]}
         table.append(row)
     return table
 
@@ -183,4 +160,4 @@ def write(out, content, table, picture):
         values = [" ".join(row[name]) if isinstance(row[name], list) else row[name] for name in names]
         writer.writerow(["" if value is None else f"{value:.6g}" if isinstance(value, float) else value for value in values] + [" && ".join(row["commands"])])
     for name, data in (("explore.json", json.dumps(content, indent=1) + "\n"), ("explore.csv", text.getvalue()), ("front.png", picture)):
-        page.write(out / name, data)
+        files.write(out / name, data)

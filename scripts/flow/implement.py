@@ -2,16 +2,14 @@
 """Implementation: VHDL to area on each FPGA family and, where a router is free, to a clock; into implementation.json."""
 
 import json
-import os
 import re
 import shutil
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from . import figures, json_files, manifest, nextpnr, yosys
+from . import figures, files, json_files, manifest, nextpnr, yosys
 from .errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from .simulators import to_verilog
 from .tools import GENERATED_RTL, ROOT, find_ghdl, run
@@ -60,11 +58,7 @@ def merge(out, entry, target, result):
     if before is None or not is_fresh(before, entry):
         before = {"format": FORMAT, "configuration": entry["configuration"], "vhdl_digest": entry["files"], "targets": {}}
     before["targets"][target] = result
-    Path(out).mkdir(parents=True, exist_ok=True)
-    with tempfile.NamedTemporaryFile("w", dir=out, suffix=".tmp", delete=False) as temporary:
-        temporary.write(json.dumps(before, indent=2, sort_keys=True) + "\n")
-    Path(temporary.name).chmod(0o644)
-    os.replace(temporary.name, Path(out) / FILE)
+    files.write(Path(out) / FILE, json.dumps(before, indent=2, sort_keys=True) + "\n")
 
 
 def check_writable(out):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
 
-from . import checker, page, pictures, vectors, waveform
+from . import checker, files, page, pictures, vectors, waveform
 from .errors import FlowError
 
 PAGE, DUMP, SAVE = "failure.html", "failure.vcd", "failure.gtkw"
@@ -158,8 +158,8 @@ def write_page(folder, parameters):
     if failure is None:
         return None
     if failure.wave:
-        page.write(folder / SAVE, waveform.save_file(folder / DUMP, failure.wave.clock))
-    page.write(folder / PAGE, page.render("failure.html.j2", failure=failure, report=failure.report, scale=pictures.scale_png()))
+        files.write(folder / SAVE, waveform.save_file(folder / DUMP, failure.wave.clock))
+    files.write(folder / PAGE, page.render("failure.html.j2", failure=failure, report=failure.report, scale=pictures.scale_png()))
     return folder / PAGE
 
 

@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import checker, formal, manifest, mutants, vectors
+from . import checker, formal, manifest, mutants, simulators, vectors
 from .axi import broken, cocotb_runs, contract, design, pool, script
 from .errors import EXIT_TOOL_FAILED, FlowError
 from .simulators import GHDL_STANDARD, Ghdl
@@ -143,8 +143,9 @@ class Memory:
     """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was."""
 
     def __init__(self):
-        tests = [*sorted((ROOT / "hls_tb" / "axi").glob("*.py")), *sorted((ROOT / "hls_tb" / "formal").iterdir()), Path(mutants.__file__),
-                 *(Path(module.__file__) for module in (broken, contract, pool, script))]
+        judges = (broken, checker, cocotb_runs, contract, formal, mutants, pool, script, simulators, vectors)
+        tests = [*sorted((ROOT / "hls_tb" / "axi").glob("*.py")), *sorted((ROOT / "hls_tb" / "formal").iterdir()),
+                 *(Path(module.__file__) for module in judges)]
         others = manifest.vhdl_files(GENERATED_RTL / SHORT_FRAMES)
         sources = [*core_files(), *shell_files(), *others, Path(__file__), *(path for path in tests if path.name != "diagrams.py")]
         digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]

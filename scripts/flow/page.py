@@ -2,15 +2,11 @@
 """HTML pages that stand alone: templates in templates/, pictures inside, no network."""
 
 import base64
-import os
 import re
-import tempfile
 from pathlib import Path
 
 import jinja2
 from markupsafe import Markup, escape
-
-from .errors import FlowError
 
 TEMPLATES = Path(__file__).with_name("templates")
 
@@ -46,20 +42,3 @@ def render(template, **values):
     environment.filters |= {"number": number, "cell": cell, "png_uri": png_uri}
     environment.tests["numeric"] = is_number
     return environment.get_template(template).render(**values, percent=percent)
-
-
-def write(path, content):
-    """The whole file or none. `content`: text, or bytes."""
-    path, temporary = Path(path), None
-    data = content.encode() if isinstance(content, str) else content
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("wb", dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
-            temporary = Path(file.name)
-            file.write(data)
-        temporary.chmod(0o644)
-        os.replace(temporary, path)
-    except OSError as error:
-        if temporary is not None:
-            temporary.unlink(missing_ok=True)
-        raise FlowError(f"cannot write {path}: {error.strerror}") from None

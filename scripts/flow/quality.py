@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/quality.md: how good the disparity maps are, measured by `stereo_hls evaluate`."""
 
-import json
 import os
 import tempfile
 from pathlib import Path
 
-from .errors import FlowError
+from .evaluation import MASKS, MEASURES, evaluate, scene
 from .performance import number, table
-from .tools import ROOT, find_stereo_hls, run
+from .tools import ROOT
 
 PAGE = ROOT / "docs" / "quality.md"
 SCENES_PAGE = ROOT / "build" / "quality_scenes.md"
 PAIR_FILES = ("left.png", "right.png", "disp_left_x4.pgm", "disp_right_x4.pgm")
-MASKS = ("non_occluded", "all", "discontinuity", "textureless")
 MASK_TITLES = ("non-occluded", "all", "discontinuity", "textureless")
 
 # Bad 1 of StereoBM on Teddy, invalid pixels as bad, as OpenCV's regression test has it stored
@@ -116,24 +114,13 @@ def missing_files(pair):
     return [str(pair / name) for name in PAIR_FILES if not (pair / name).is_file()]
 
 
-def _evaluate(images, *options):
-    """The methods that one call of `stereo_hls evaluate` measured."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "evaluation.json"
-        run([find_stereo_hls(), "evaluate", *images, *options, "--json", path], passes_errors=True)
-        found = json.loads(path.read_text())
-    if found.get("format") != "stereo-hls evaluation 1":
-        raise FlowError(f"stereo_hls evaluate wrote {found.get('format')!r}, which this command does not read", 4)
-    return found["methods"]
-
-
 def measure(images, disparities):
     """[(title, method)] of OpenCV's matchers and ours."""
     opencv = [word for name in ("bm", "sgbm") for word in ("--opencv", name)]
-    results = [(m["name"], m) for m in _evaluate(images, *opencv, "--opencv-disparities", disparities)]
+    results = [(m["name"], m) for m in evaluate(*images, *opencv, "--opencv-disparities", disparities)]
     for title, config, settings in OURS:
         words = [word for setting in (f"disparities={disparities}", *settings) for word in ("--set", setting)]
-        results += [(title, m) for m in _evaluate(images, "--config", config, *words)]
+        results += [(title, m) for m in evaluate(*images, "--config", config, *words)]
     return results
 
 
@@ -167,13 +154,12 @@ def regions_table(runs):
 
 
 def measures_table(results):
-    names = ("bad_0_5", "bad_1", "bad_2", "bad_4", "d1")
     titles = ("bad 0.5", "bad 1", "bad 2", "bad 4", "D1")
     rows = []
     for title, method in results:
         mask = method["masks"]["non_occluded"]
-        rows.append([title, *(percent(mask[name]["invalid_bad"]) for name in names),
-                     *(percent(mask[name]["valid_only"]) for name in names), number(mask["avg_px"], 3), number(mask["rms_px"], 2)])
+        rows.append([title, *(percent(mask[name]["invalid_bad"]) for name in MEASURES),
+                     *(percent(mask[name]["valid_only"]) for name in MEASURES), number(mask["avg_px"], 3), number(mask["rms_px"], 2)])
     return table(["method", *titles, *(f"{title} of valid" for title in titles), "mean error, px", "RMS, px"], rows)
 
 
@@ -201,17 +187,12 @@ def verdict(results):
             "The census rows were picked on this very pair, among some seventy; the scenes below had no part in it.")
 
 
-def _scene_images(folder, seed):
-    run([find_stereo_hls(), "scene", "--width", 450, "--height", 375, "--disparities", SCENE_DISPARITIES, "--seed", seed, "--out", folder])
-    words = {"--left": "left", "--right": "right", "--truth-left": "disparity_left", "--truth-right": "disparity_right"}
-    return [word for option, name in words.items() for word in (option, folder / f"{name}.png")]
-
-
 def scenes_text():
     runs = []
     with tempfile.TemporaryDirectory() as folder:
         for seed in SCENE_SEEDS:
-            runs.append(measure(_scene_images(Path(folder) / str(seed), seed), SCENE_DISPARITIES))
+            images = scene(seed, SCENE_DISPARITIES, Path(folder) / str(seed))
+            runs.append(measure([word for option in images.items() for word in option], SCENE_DISPARITIES))
     return SCENES_TEXT.format(disparities=SCENE_DISPARITIES, seeds=", ".join(map(str, SCENE_SEEDS)), regions=regions_table(runs)).rstrip()
 
 
@@ -225,11 +206,3 @@ def page(pair):
 def scenes_page():
     head = "# Quality, the scenes only\n\nMade by `scripts/quality.py`, which did not find the pair Teddy. Do not edit."
     return f"{head}\n\n{RULES}\n\n{scenes_text()}\n"
-
-
-def write(path, text):
-    """The whole page or the old one."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.partial-{os.getpid()}")
-    partial.write_text(text)
-    partial.replace(path)

@@ -86,7 +86,7 @@ def test_ambrosch2007_two_whole_frames_in_verilator(verilator, pairs, tmp_path):
 def test_ambrosch2007_real_pair(ghdl, tmp_path):
     folder = ROOT.parent / "shared" / "data" / "stereo" / "teddy"
     if not folder.is_dir():
-        pytest.skip("SKIP: no real pair in ../shared/data/stereo/teddy")
+        pytest.skip("SKIP: the stereo pair ../shared/data/stereo/teddy is missing")
     process = cosim("ambrosch2007", (folder / "left.png", folder / "right.png"), tmp_path, "--fit", "crop")
     passed(process, tmp_path, OUTPUTS["ambrosch2007"])
     assert "crop" in process.stdout, "what was done to the images is said"

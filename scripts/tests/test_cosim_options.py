@@ -57,6 +57,6 @@ def test_whole_frame_of_a_system(verilator, tmp_path, config):
         assert not keeps_vhdl(config)
         pytest.skip(f"SKIP: the repository does not keep the VHDL of {config}; scripts/synthesize.py --config {config} makes it, with Bambu")
     if manifest.stale_reasons(config, TABLE[config]):
-        pytest.skip(f"SKIP: the VHDL of {config} is of older sources")
+        pytest.skip(f"SKIP: the VHDL of {config} is of older sources; scripts/synthesize.py --config {config} makes it again, with Bambu")
     process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
     passed(process, tmp_path / "out", config, 1)

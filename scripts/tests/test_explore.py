@@ -69,8 +69,7 @@ def test_an_option_that_is_not_measured_makes_the_cost_absent():
 def test_committed_results():
     """Each configuration with a result of its own costs what its file says, or less with the other sums."""
     committed = Family()
-    if not committed.measured:
-        pytest.skip("SKIP: no result of the study family is of the present VHDL")
+    assert len(committed.measured) > 10
     for name in committed.measured:
         configuration = performance.Configuration(name, stale_is_none=True)
         cost = committed.cost(configuration.parameters)

@@ -168,7 +168,7 @@ def test_a_late_mismatch_has_a_page_without_a_wave(ghdl, tmp_path, monkeypatch, 
     monkeypatch.setattr(flow_cosim, "AUTOMATIC_WAVE_CLOCKS", 10)
     left, right = random_pair(tmp_path / "pair", "tiny", levels=4)
     result = flow_cosim.run_job(flow_cosim.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out"))
-    assert result["passed"] is False and "no waveform by itself beyond clock 10; --wave FILE makes one" in capsys.readouterr().out
+    assert result["passed"] is False and "no waveform of the mismatch: it lies beyond clock 10; --wave FILE makes one" in capsys.readouterr().out
     assert (tmp_path / "out" / "failure.html").is_file() and not (tmp_path / "out" / "failure.vcd").exists()
 
 

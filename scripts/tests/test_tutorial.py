@@ -88,7 +88,7 @@ STEPS = steps_of(blocks_of(PAGE.read_text()))
 def followed(tmp_path_factory):
     """{line of a block: what was wrong with it, or None}; a block whose tool is missing and all after a wrong one are not there."""
     if not (ROOT / ".git").exists() or shutil.which("git") is None:
-        pytest.skip("SKIP: no git repository to copy")
+        pytest.skip("SKIP: this is no git checkout, which names the files to copy")
     reader, results = Reader(tmp_path_factory.mktemp("tutorial")), {}
     reader.copy_repository()
     for block, lines in STEPS:
