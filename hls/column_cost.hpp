@@ -97,7 +97,6 @@ struct RecursiveColumn {
 
   private:
    HLS_INLINE void add() {
-      ColumnCost<C> newest[Count];
       Word packed[Pack::kWords];
       using Lane = typename Pack::Lane;
       Lane lanes[Count];
@@ -110,8 +109,7 @@ struct RecursiveColumn {
                 ColumnCost<C>(above + change[p][i]) & ColumnCost<C>((uint64_t(1) << kCostBits) - 1);
             column[p][i] = select<ColumnCost<C>>(ready_tag.border_column, 0, sum);
          }
-         newest[i] = column[kPixels - 1][i];
-         lanes[i] = Lane(newest[i]);
+         lanes[i] = Lane(column[kPixels - 1][i]);
       }
       Pack::pack(lanes, packed);
       HLS_UNROLL

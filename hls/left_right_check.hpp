@@ -2,6 +2,7 @@
 #pragma once
 
 #include "refinement.hpp"
+#include "ring.hpp"
 
 namespace stereo {
 
@@ -16,16 +17,14 @@ struct LeftRightCheck {
    /// Clocks by which the other image's winners are ahead.
    static constexpr int kAhead = Slices::kLevels + Refinement<C>::kClocks;
    static constexpr int kDelay = C.disparities - 1;
-   static constexpr int kPlaces = C.disparities;
    static constexpr int kOtherPlaces = 1 << bits_for(C.disparities + 3);
    static constexpr int kFractionBits = C.subpixel ? 5 : 0;
    static constexpr int kLaneBits = 9 + kFractionBits;
    static constexpr int kTagBits = 4;
    using Word = uint_of_bits<kPixels * kLaneBits + kTagBits>;
 
-   uint8_t other[kAhead][kPixels];     ///< [age][p]
-   MemoryBank<Word, kPlaces, 1> ring;  // as in PairDelay
-   uint16_t read_address = 1, write_address = 0;
+   uint8_t other[kAhead][kPixels];  ///< [age][p]
+   Ring<Word, kDelay + 1, 1> ring;
    bool holds_winners = false;  ///< a reset leaves the words of the ring, with their tags, as they were
    MemoryBank<uint8_t, kOtherPlaces, kPixels> others;
    uint16_t position = 0;  ///< where the other image's winner of this clock is kept
@@ -72,18 +71,14 @@ struct LeftRightCheck {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) newest[p] = other[kAhead - 1][p];
       others.write(position, newest);
-      ring.read(read_address, held);
-      const Word words[1] = {packed(in)};
-      ring.write(write_address, words);
-      held_position = position;
       const bool move = in.tag.valid;
-      const bool held_is_new = holds_winners || read_address == 0;  // place 0 is the first that is written
+      const bool held_is_new = holds_winners || ring.read_address == 0;  // place 0 is the first that is written
+      const Word words[1] = {packed(in)};
+      ring.clock(words, move, held);
+      held_position = position;
       held_valid = move && held_is_new;
       holds_winners = select<bool>(move, held_is_new, holds_winners);
       position = at_most<kOtherPlaces - 1>(select<uint16_t>(move, uint16_t(position + 1), position));
-      write_address = select<uint16_t>(move, read_address, write_address);
-      const uint16_t read_after = select<uint16_t>(read_address == kPlaces - 1, 0, read_address + 1);
-      read_address = at_most<kPlaces - 1>(select<uint16_t>(move, read_after, read_address));
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL

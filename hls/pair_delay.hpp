@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "memory_bank.hpp"
 #include "packed.hpp"
 #include "raster.hpp"
+#include "ring.hpp"
 
 namespace stereo {
 
@@ -14,17 +14,11 @@ struct PairDelay {
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kTaps = C.tap_rows();
    static constexpr int kDelay = C.reference_delay() + C.search_delay();  ///< one of them is 0
-   static constexpr int kPlaces = kDelay + 1;
    static constexpr bool kDelaysReference = C.reference_delay() > 0;
    using Pack = Packed<C.feature_bits(), kPixels>;
    using Word = typename Pack::Word;
 
-   /// A ring. Reads the oldest word while the newest is written one place behind it: both addresses are registers, and
-   /// a bubble rewrites a place that the next pixels overwrite, so that the memory needs no enable.
-   MemoryBank<Word, kPlaces, (kDelay > 0 ? Pack::kWords : 0)> ring;
-   uint16_t read_address = kPlaces > 1 ? 1 : 0;
-   uint16_t write_address = 0;
-
+   Ring<Word, kDelay + 1, (kDelay > 0 ? Pack::kWords : 0)> ring;
    Feature<C> ahead[kPixels];   ///< of the image that is not held back
    Word delayed[Pack::kWords];  ///< of the other one
    uint16_t column = 0;         ///< of `ahead`
@@ -46,11 +40,7 @@ struct PairDelay {
       if constexpr (kDelay > 0) {
          Word newest[Pack::kWords];
          Pack::pack(kDelaysReference ? in.reference : in.search, newest);
-         ring.read(read_address, delayed);
-         ring.write(write_address, newest);
-         write_address = select<uint16_t>(in.valid, read_address, write_address);
-         const uint16_t read_after = select<uint16_t>(read_address == kPlaces - 1, 0, read_address + 1);
-         read_address = at_most<kPlaces - 1>(select<uint16_t>(in.valid, read_after, read_address));
+         ring.clock(newest, in.valid, delayed);
       } else {
          Pack::pack(in.search, delayed);
       }

@@ -29,7 +29,7 @@ struct StereoConfig {
    bool subpixel = false;          ///< disparities in sixteenths of a pixel
    bool median = false;            ///< median of 3x3 disparities
 
-   // Pipelining and structure. None of it changes a result; docs/performance.md shows what each costs and gives.
+   // Pipelining and structure. None of it changes a result; docs/features.md shows what each costs and gives.
    Aggregation aggregation = Aggregation::direct;
    int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
    int cost_clocks = 3;   ///< 1: differences and column sums in one clock; 2: differences apart; 3: each addition apart

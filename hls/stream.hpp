@@ -18,9 +18,9 @@ struct StereoInput {
    bool valid = false;               ///< false: a bubble; the core ignores the rest of the record
 };
 
-/// One column of P neighbouring rows of the disparity map, in the same order; W-D columns, H rows.
+/// One column of P neighbouring rows of the disparity map, in the same order.
 struct StereoOutput {
-   uint16_t disparity[kMostPixels] = {};  ///< 0 ... D-1, in pixels
+   uint16_t disparity[kMostPixels] = {};  ///< above min_disparity, in pixels or, with subpixel, their sixteenths
    bool pixel_valid[kMostPixels] = {};    ///< the disparity has passed every check that the configuration has
    bool start_of_frame = false;           ///< this is column 0 of the first rows
    bool end_of_line = false;              ///< this is the last column of its rows

@@ -22,7 +22,8 @@ struct XSobel {
       fill<Feature<C>>(feature, 0);
    }
 
-   /// centre_inside: the pixels beside the centre of `column` lie in the image.
+   /// move: `pixel` is a column, not a bubble. row_inside: its rows lie in the image; column_inside: [age], the columns
+   /// that have come lie in it.
    template <class Inside>
    HLS_INLINE void clock(bool move, const uint8_t (&pixel)[kRows], const bool (&row_inside)[kRows],
                          const Inside& column_inside) {

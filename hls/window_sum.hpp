@@ -2,6 +2,7 @@
 #pragma once
 
 #include "column_cost.hpp"
+#include "ring.hpp"
 
 namespace stereo {
 
@@ -99,15 +100,12 @@ template <const StereoConfig& C, int Count>
 struct RunningWindowSum {
    static constexpr int kClocks = 3;
    static constexpr int kPixels = C.pixels_per_clock;
-   static constexpr int kPlaces = C.window_px + 1;
    static constexpr int kCostBits = bits_for(C.largest_column_cost());
    using Pack = Packed<kCostBits, kPixels * Count>;
    using Word = typename Pack::Word;
    using Sum = WindowCost<C>;
 
-   /// A ring, as in PairDelay.
-   MemoryBank<Word, kPlaces, Pack::kWords> ring;
-   uint16_t read_address = 1, write_address = 0;
+   Ring<Word, C.window_px + 1, Pack::kWords> ring;
    // clock 1
    Word leaving[Pack::kWords];
    ColumnCost<C> entering[kPixels][Count];
@@ -166,12 +164,7 @@ struct RunningWindowSum {
          }
       }
       Pack::pack(lanes, newest);
-      ring.read(read_address, leaving);
-      ring.write(write_address, newest);
-      const bool move = cost.tag.valid;
-      write_address = select<uint16_t>(move, read_address, write_address);
-      const uint16_t read_after = select<uint16_t>(read_address == kPlaces - 1, 0, read_address + 1);
-      read_address = at_most<kPlaces - 1>(select<uint16_t>(move, read_after, read_address));
+      ring.clock(newest, cost.tag.valid, leaving);
       entering_tag = cost.tag;
    }
 };

@@ -9,6 +9,7 @@ add_executable(
   stereo_tests
   packed_test.cpp
   memory_bank_test.cpp
+  ring_test.cpp
   transform_test.cpp
   raster_test.cpp
   pair_delay_test.cpp

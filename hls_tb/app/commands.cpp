@@ -121,7 +121,6 @@ void list_configurations(bool as_json_text) {
       nlohmann::json all;
       for (const Configuration& entry : configuration_table()) all[entry.name] = as_json(entry);
       std::cout << all.dump(2) << '\n';
-      flush_result();
       return;
    }
    for (const Configuration& entry : configuration_table())
@@ -129,11 +128,6 @@ void list_configurations(bool as_json_text) {
                 << entry.config.disparities << " disparities, window " << entry.config.window_px << 'x'
                 << entry.config.window_px << ", output " << entry.config.output_width_px() << 'x'
                 << entry.config.output_height_px() << ", latency " << entry.latency_clocks << " clocks\n";
-   flush_result();
-}
-
-void flush_result() {
-   if (!std::cout.flush()) throw std::runtime_error("the result cannot be written to standard output");
 }
 
 }  // namespace stereo::app

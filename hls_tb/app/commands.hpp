@@ -47,7 +47,4 @@ void trace(const TraceArguments& arguments);
 
 void list_configurations(bool as_json);
 
-/// For commands whose result goes to stdout: throws std::runtime_error when it does not get there.
-void flush_result();
-
 }  // namespace stereo::app

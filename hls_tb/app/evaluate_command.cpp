@@ -7,7 +7,6 @@
 #include <iostream>
 #include <optional>
 
-#include "app/commands.hpp"
 #include "app/disparity_files.hpp"
 #include "app/errors.hpp"
 #include "app/evaluation.hpp"
@@ -147,7 +146,6 @@ void evaluate(const Arguments& arguments) {
    for (std::size_t i = 0; i < arguments.disparities.size(); ++i)
       evaluation.methods.push_back(evaluate_file(arguments.disparities[i], arguments.references[i], arguments, truth));
    std::cout << evaluation_text(evaluation);
-   flush_result();
    if (!arguments.json.empty()) write_json(arguments.json, evaluation_json(evaluation));
 }
 

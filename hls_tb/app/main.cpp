@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 
 #include "app/commands.hpp"
 #include "app/depth_command.hpp"
@@ -64,7 +65,9 @@ void add_scene(CLI::App& app) {
    stereo::SceneOptions& options = arguments.options;
    CLI::App* command = app.add_subcommand("scene", "make a stereo pair with ground truth: left.png, right.png, ...");
    command->add_option("--out", arguments.out, "folder for the results")->required();
-   command->add_option("--seed", options.seed, "another number, another scene")->required();
+   command->add_option("--seed", options.seed, "another number, another scene")
+       ->required()
+       ->check(CLI::NonNegativeNumber);
    CLI::Option* config = command->add_option("--config", arguments.config, "take the size from this configuration");
    command->add_option("--width", options.width, "image width")->capture_default_str()->excludes(config);
    command->add_option("--height", options.height, "image height")->capture_default_str()->excludes(config);
@@ -88,7 +91,9 @@ void add_vectors(CLI::App& app) {
    command->add_option("--stall-percent", options.stall_percent, "chance of a bubble before a pixel pair")
        ->check(CLI::Range(0, 95))
        ->capture_default_str();
-   command->add_option("--seed", options.seed, "of the bubbles and flush rows")->capture_default_str();
+   command->add_option("--seed", options.seed, "of the bubbles and flush rows")
+       ->capture_default_str()
+       ->check(CLI::NonNegativeNumber);
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
    command->callback([] { vectors(arguments); });
 }
@@ -129,6 +134,7 @@ int main(int argc, char** argv) {
    add_configurations(app);
    try {
       app.parse(argc, argv);
+      if (!std::cout.flush()) throw std::runtime_error("the result cannot be written to standard output");
       return 0;
    } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version

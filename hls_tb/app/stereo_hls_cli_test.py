@@ -186,10 +186,10 @@ def test_names_that_the_system_refuses(tmp_path, match):
     fail(tmp_path, *changed(match, "--out", name), says=["--out", name, "File name too long"])
 
 
-@pytest.mark.parametrize("form", [[], ["--json"]])
-def test_a_result_that_does_not_reach_stdout_is_a_failure(form):
+@pytest.mark.parametrize("command", [["configurations"], ["configurations", "--json"], ["match"]])
+def test_a_result_that_does_not_reach_stdout_is_a_failure(match, command):
     with open("/dev/full", "w") as full:
-        process = subprocess.run([PROGRAM, "configurations", *form], stdout=full, stderr=subprocess.PIPE, text=True)
+        process = subprocess.run([PROGRAM, *(match if command == ["match"] else command)], stdout=full, stderr=subprocess.PIPE, text=True)
     assert process.returncode == 1
     assert process.stderr == "stereo_hls: internal failure: the result cannot be written to standard output\n"
 
@@ -199,6 +199,7 @@ def test_a_result_that_does_not_reach_stdout_is_a_failure(form):
     (["match", "--left", "x"], "--config"),
     (["configurations", "--frobnicate"], "--frobnicate"),
     (["scene", "--out", "o", "--seed", "one"], "--seed"),
+    (["scene", "--out", "o", "--seed", "-1"], "--seed"),
     (["scene", "--out", "o", "--seed", "1", "--config", "tiny", "--width", "9"], "--width"),
     (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
     (["frobnicate"], "frobnicate: there is no such command"),

@@ -76,8 +76,8 @@ void visit_raster(Visit& visit, const Raster<C>& raster) {
 
 template <class Visit, const StereoConfig& C>
 void visit_delay(Visit& visit, const PairDelay<C>& delay) {
-   visit_value(visit, "delay_read_address", delay.read_address);
-   visit_value(visit, "delay_write_address", delay.write_address);
+   visit_value(visit, "delay_read_address", delay.ring.read_address);
+   visit_value(visit, "delay_write_address", delay.ring.write_address);
    visit_array(visit, "delay_ahead", delay.ahead);
    visit_array(visit, "delay_delayed", delay.delayed);
    visit_value(visit, "delay_column", delay.column);
@@ -151,8 +151,8 @@ void visit_left_right(Visit&, const Absent&) {}
 template <class Visit, const StereoConfig& C>
 void visit_left_right(Visit& visit, const LeftRightCheck<C>& check) {
    visit_array(visit, "leftright_other", check.other);
-   visit_value(visit, "leftright_read_address", check.read_address);
-   visit_value(visit, "leftright_write_address", check.write_address);
+   visit_value(visit, "leftright_read_address", check.ring.read_address);
+   visit_value(visit, "leftright_write_address", check.ring.write_address);
    visit_value(visit, "leftright_position", check.position);
    visit_array(visit, "leftright_held", check.held);
    visit_value(visit, "leftright_held_position", check.held_position);

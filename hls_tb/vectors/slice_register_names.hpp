@@ -119,8 +119,8 @@ void visit_window(Visit& visit, const std::string& name, const WindowSum<C, Coun
 
 template <class Visit, const StereoConfig& C, int Count>
 void visit_window(Visit& visit, const std::string& name, const RunningWindowSum<C, Count>& window) {
-   visit_value(visit, name + "_read_address", window.read_address);
-   visit_value(visit, name + "_write_address", window.write_address);
+   visit_value(visit, name + "_read_address", window.ring.read_address);
+   visit_value(visit, name + "_write_address", window.ring.write_address);
    visit_array(visit, name + "_leaving", window.leaving);
    visit_array(visit, name + "_entering", window.entering);
    visit_tag(visit, name + "_entering_tag", window.entering_tag);
