@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# ctest labels: unit (seconds, needs nothing but the build), cosim, synth, slow.
+# ctest labels, and the tools that their tests need:
+#   unit   no hardware tool
+#   cosim  GHDL; some also Verilator, yosys with yosys-abc, cocotb or FuseSoC (both from PyPI)
+#   synth  GHDL with Bambu, or with yosys and nextpnr (from PyPI)
+#   slow   stands beside one of the others: takes many minutes
 
 # stereo_add_pytest(NAME <test> FILE <file.py> [LABELS <label>...] [TIMEOUT <seconds>])
 #

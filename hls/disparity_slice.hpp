@@ -32,8 +32,6 @@ struct DisparitySlice {
       if constexpr (kIsLast) return 1 + Column::kClocks + Window::kClocks + kLevels + 1;
       else return 1 + Next::latency();
    }
-   /// Clocks from the arrival to the window costs of the last slice.
-   static constexpr int latency_of_sums() { return latency() - kLevels - 1; }
 
    DisparityShift<C, kCount> shift;
    Column cost;

@@ -56,4 +56,11 @@ HLS_INLINE constexpr uint16_t at_most(unsigned value) {
    return uint16_t(value & mask);
 }
 
+/// An address in a ring of `Places` words, a power of two: it goes on at 0 behind the last one.
+template <int Places>
+HLS_INLINE constexpr uint16_t wrapped(unsigned address) {
+   static_assert(Places > 0 && Places <= 1 << 15 && (Places & (Places - 1)) == 0, "the places must be a power of two");
+   return uint16_t(address & (Places - 1));
+}
+
 }  // namespace stereo

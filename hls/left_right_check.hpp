@@ -64,7 +64,7 @@ struct LeftRightCheck {
          const uint16_t d = asking.disparity[p];
          const uint16_t place =
              C.reference == Reference::right ? uint16_t(held_position - kDelay + d) : uint16_t(held_position - d);
-         address[p] = at_most<kOtherPlaces - 1>(place);
+         address[p] = wrapped<kOtherPlaces>(place);
       }
 
       uint8_t newest[kPixels];
@@ -78,7 +78,7 @@ struct LeftRightCheck {
       held_position = position;
       held_valid = move && held_is_new;
       holds_winners = select<bool>(move, held_is_new, holds_winners);
-      position = at_most<kOtherPlaces - 1>(select<uint16_t>(move, uint16_t(position + 1), position));
+      position = wrapped<kOtherPlaces>(select<uint16_t>(move, uint16_t(position + 1), position));
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL

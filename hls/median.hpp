@@ -47,7 +47,7 @@ struct MapRegister {
 };
 
 /// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 7 clocks; pixels come
-/// out a row of groups and a column later. Memory: map width x (P+1) x (disparity bits + 1).
+/// out a row of groups and a column later. Memory: map width x (P+1) x (kValueBits + 1).
 template <const StereoConfig& C>
 struct Median {
    static constexpr int kPixels = C.pixels_per_clock;

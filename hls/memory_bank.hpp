@@ -65,10 +65,10 @@ inline constexpr int kWinners = 500;
 inline constexpr int kOtherWinners = 600;
 inline constexpr int kMap = 700;
 inline constexpr int kTexture = 800;
-inline constexpr int kSlices = 1000;  ///< + 200 x lowest disparity of the slice
+inline constexpr int kSlices = 2000;  ///< + 200 x lowest disparity of the slice
 inline constexpr int kPerSlice = 200;
 inline constexpr int kColumns = 0;        ///< of a slice or the texture: its column sums
-inline constexpr int kLastColumns = 100;  ///< of a slice or the texture: the columns of its windows
+inline constexpr int kLastColumns = 300;  ///< of a slice or the texture: the columns of its windows
 }  // namespace memory_numbers
 
 }  // namespace stereo

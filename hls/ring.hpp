@@ -11,6 +11,7 @@ namespace stereo {
 /// rewrites a place that the next record overwrites, so that the memory needs no enable.
 template <class Word, int Places, int Count>
 struct Ring {
+   static_assert(Places > 1 || Count == 0, "a ring of one place would show what has just been written");
    MemoryBank<Word, Places, Count> memory;
    uint16_t read_address = Places > 1 ? 1 : 0;
    uint16_t write_address = 0;

@@ -32,7 +32,7 @@ struct StereoConfig {
    // Pipelining and structure. None of it changes a result; docs/features.md shows what each costs and gives.
    Aggregation aggregation = Aggregation::direct;
    int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
-   int cost_clocks = 3;   ///< 1: differences and column sums in one clock; 2: differences apart; 3: each addition apart
+   int cost_clocks = 3;   ///< of direct SAD sums, 1: all in one clock; 2: differences apart; 3: each addition apart
    int winner_group = 2;  ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
 
    constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
@@ -43,8 +43,6 @@ struct StereoConfig {
    // reference mirrored.
    constexpr int rows_above() const { return window_px / 2; }
    constexpr int rows_below() const { return (window_px - 1) / 2; }
-   /// Rows and columns on each side of the centre of an odd window.
-   constexpr int radius_px() const { return window_px / 2; }
    /// Columns of a window that come in after its centre's.
    constexpr int columns_after() const { return reference == Reference::right ? rows_below() : rows_above(); }
 
@@ -117,10 +115,11 @@ struct StereoConfig {
       const int first_column = first_cost_column() + (reference == Reference::left ? 1 : 0);
       return transform + delay_groups() * width_px + first_column + columns_after() + check + smoothing + 1;
    }
-   /// Valid groups without start of frame that bring out the last disparities of a frame. A window without rows below its
-   /// centre can need none.
+   /// Valid groups without start of frame that bring out the last disparities of a frame. A window without rows below
+   /// its centre can need none.
    constexpr int flush_groups() const {
-      const int groups_to_last_output = groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1;
+      const int groups_to_last_output =
+          groups_to_first_output() + (row_groups() - 1) * width_px + output_width_px() - 1;
       return at_least_0(groups_to_last_output - row_groups() * width_px);
    }
    /// Whole rows of groups that must stand between two frames. Recursive sums of a frame's last rows and of the next

@@ -95,8 +95,7 @@ struct Census {
 };
 
 /// Replaces the pixels of both images by what is compared: filtered pixels or census transforms. 6 clocks; the groups
-/// come out transform_groups() rows and transform_columns() columns later. Memory: two times W x 8 x the rows around a
-/// group.
+/// come out transform_groups() rows and transform_columns() columns later. Memory: two times W x 8 x kStored bits.
 template <const StereoConfig& C>
 struct Transform {
    static constexpr int kPixels = C.pixels_per_clock;

@@ -69,7 +69,7 @@ void no_number_serves_twice() {
    EXPECT_GT(numbers.size(), 1u);
 }
 
-/// Every bank there is, as large as they get: 31x31 windows, 256 disparities in slices of 2, four rows at once.
+/// Every bank there is, as large as they get: 31x31 windows, 256 disparities in one slice, four rows at once.
 inline constexpr StereoConfig kLargest{.width_px = 400,
                                        .height_px = 40,
                                        .disparities = 256,
@@ -81,8 +81,16 @@ inline constexpr StereoConfig kLargest{.width_px = 400,
                                        .subpixel = true,
                                        .median = true,
                                        .aggregation = Aggregation::recursive,
-                                       .slice_disparities = 100};
-/// The widest words: 62 bits of census in each of 34 rows.
+                                       .slice_disparities = 256};
+/// The same in the smallest slices.
+inline constexpr StereoConfig kMostSlices{.width_px = 400,
+                                          .height_px = 40,
+                                          .disparities = 24,
+                                          .window_px = 31,
+                                          .pixels_per_clock = 4,
+                                          .aggregation = Aggregation::recursive,
+                                          .slice_disparities = 2};
+/// The widest words: 62 bits of census in each of 31 stored rows.
 inline constexpr StereoConfig kWidest{.width_px = 40,
                                       .height_px = 36,
                                       .disparities = 16,
@@ -99,6 +107,7 @@ inline constexpr StereoConfig kWidest{.width_px = 40,
 TEST(MemoryBank, NoNumberServesTwoMemoriesOfACore) {
    no_number_serves_twice<configurations::tiny_all_recursive>();
    no_number_serves_twice<kLargest>();
+   no_number_serves_twice<kMostSlices>();
    no_number_serves_twice<kWidest>();
 }
 

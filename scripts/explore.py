@@ -5,7 +5,6 @@ tables that each choice costs: which configuration is worth its LUTs?"""
 
 import os
 import sys
-import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))

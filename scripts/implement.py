@@ -32,6 +32,8 @@ def jobs(options):
         names = options.config
     else:
         names = chosen(options.config, implement.known_configurations(), "configuration")
+        if "all" in options.config:
+            names = list(filter(implement.has_vhdl, names))
     return [
         implement.Job(name, options.rtl or GENERATED_RTL / name, options.out / name if options.out else options.rtl or GENERATED_RTL / name, targets, seeds)
         for name in names
@@ -40,7 +42,7 @@ def jobs(options):
 
 def main():
     parser = ArgumentParser(prog="implement.py", description=__doc__)
-    parser.add_argument("--config", action="append", required=True, metavar="NAME", help="configuration, may be repeated; 'all' for each in generated_rtl")
+    parser.add_argument("--config", action="append", required=True, metavar="NAME", help="configuration, may be repeated; 'all' for each whose VHDL is in generated_rtl")
     parser.add_argument("--target", action="append", metavar="FAMILY", help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)")
     parser.add_argument("--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)")
     parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")

@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import manifest  # noqa: E402
+from flow import files, manifest  # noqa: E402
 from flow.axi import design, template  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.errors import ArgumentParser, run_command  # noqa: E402
 from flow.tools import GENERATED_RTL  # noqa: E402
 
 
@@ -24,10 +24,7 @@ def main():
     if options.out is None:
         print(text, end="")
         return 0
-    try:
-        options.out.write_text(text)
-    except OSError as error:
-        raise FlowError(f"cannot write {options.out}: {error.strerror}") from None
+    files.write(options.out, text)
     return 0
 
 

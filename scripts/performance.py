@@ -7,7 +7,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow import files, implement, performance  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.errors import EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.results import Configuration  # noqa: E402
 
 
 def main():
@@ -18,21 +19,13 @@ def main():
     options = parser.parse_args()
     if options.config:
         return show(options.config)
-    if options.check:
-        if not performance.is_up_to_date():
-            raise FlowError("docs/performance.md is not up to date; run scripts/performance.py", EXIT_MISMATCH)
-        print("docs/performance.md is up to date")
-        return EXIT_OK
-    text = performance.page()
-    files.write(performance.PAGE, text)
-    print(f"wrote {performance.PAGE.relative_to(performance.ROOT)}")
-    return EXIT_OK
+    return files.update({performance.PAGE: performance.page()}, options.check, "scripts/performance.py")
 
 
 def show(name):
     if name not in implement.known_configurations():
         raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(implement.known_configurations())}")
-    configuration = performance.Configuration(name)
+    configuration = Configuration(name)
     for make in (performance.per_clock_table, performance.speed_table, performance.area_table):
         print(make([configuration]), end="\n\n")
     return EXIT_OK

@@ -8,14 +8,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow import files, quality  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
 
 
 def main():
     parser = ArgumentParser(prog="quality.py", description=__doc__)
     parser.add_argument("--pair", metavar="FOLDER", type=Path, default=quality.default_pair(),
-                        help="Teddy: left.png, right.png, disp_left_x4.pgm, disp_right_x4.pgm (default: teddy below env STEREO_DATA)")
-    parser.add_argument("--check", action="store_true", help="only say whether the page is up to date; times do not stand on it")
+                        help="Teddy: left.png, right.png, disp_left_x4.pgm, disp_right_x4.pgm (default: teddy below env STEREO_DATA, else below ../shared/data/stereo)")
+    parser.add_argument("--check", action="store_true", help="only say whether the page is up to date")
     arguments = parser.parse_args()
     missing = quality.missing_files(arguments.pair)
     if missing:
@@ -25,14 +25,7 @@ def main():
         page, text = quality.SCENES_PAGE, quality.scenes_page()
     else:
         page, text = quality.PAGE, quality.page(arguments.pair)
-    if arguments.check:
-        if not page.is_file() or page.read_text() != text:
-            raise FlowError("docs/quality.md is not up to date; run scripts/quality.py", EXIT_MISMATCH)
-        print("docs/quality.md is up to date")
-        return EXIT_OK
-    files.write(page, text)
-    print(f"wrote {page.relative_to(quality.ROOT)}")
-    return EXIT_OK
+    return files.update({page: text}, arguments.check, "scripts/quality.py")
 
 
 if __name__ == "__main__":

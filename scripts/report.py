@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, report  # noqa: E402
+from flow import demo_folder, files, report  # noqa: E402
 from flow.errors import EXIT_OK, ArgumentParser, run_command  # noqa: E402
 
 
@@ -15,10 +15,10 @@ def main():
     parser.add_argument("--demo", required=True, type=Path, metavar="DIR", help="folder of scripts/demo.sh")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default DIR/report.html)")
     options = parser.parse_args()
-    demo = report.read_demo(options.demo)
+    demo = demo_folder.read_demo(options.demo)
     page = options.out or options.demo / "report.html"
     files.write(page, report.render(demo))
-    print(f"Page: {page}, picture: {options.demo / report.PICTURE}")
+    print(f"Page: {page}, picture: {options.demo / demo_folder.PICTURE}")
     print(report.summary(demo))
     return EXIT_OK
 

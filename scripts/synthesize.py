@@ -27,7 +27,7 @@ def check(names, table):
     kept = [name for name, reasons in stale.items() if reasons and keeps_vhdl(name)]
     if kept:
         again = " ".join(f"--config {name}" for name in kept)
-        raise FlowError(f"the generated VHDL is older than its sources; run scripts/synthesize.py {again}", EXIT_MISMATCH)
+        raise FlowError(f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH)
     return EXIT_OK
 
 
@@ -42,7 +42,7 @@ def main():
     if "all" in names:
         names = sorted(table)
     for name in names:
-        tools.configuration(name)
+        tools.configuration(name, table)
     if options.check:
         return check(names, table)
     tools.find_bambu()

@@ -1,8 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Sets everything up and runs the tests. Options go to ctest: -L unit, -L cosim, -L slow, -R NAME ...
-# Without options all but the tests labelled `slow` run.
+# Sets everything up and runs the tests.
+#   scripts/test.sh [OPTION...]
+#   OPTION  of ctest: -L unit, -L cosim, -L synth, -L slow, -R NAME ... Without: all but the tests labelled `slow`
 set -euo pipefail
+case "${1:-}" in
+   --help | -h)
+      sed -n '3,5s/^# //p' "$0"
+      exit 0
+      ;;
+esac
 cd "$(dirname "$0")/.."
 export STEREO_PRESET=${STEREO_PRESET:-release}
 ./scripts/setup.sh

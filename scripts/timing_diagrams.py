@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import timing  # noqa: E402
+from flow import files, timing  # noqa: E402
 from flow.axi import cocotb_runs  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.errors import EXIT_TOOL_FAILED, ArgumentParser, FlowError, run_command  # noqa: E402
 from flow.tools import ROOT  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
@@ -50,7 +50,7 @@ def record(out):
     results = simulation.run("diagrams", 1, out)
     failed = [result for result in results if not result.passed]
     if failed:
-        raise FlowError(f"the recording {failed[0].name} failed; see {failed[0].message}", 4)
+        raise FlowError(f"the recording {failed[0].name} failed; see {failed[0].message}", EXIT_TOOL_FAILED)
     return {result.name: json.loads((out / f"{result.name}.json").read_text()) for result in results}
 
 
@@ -58,16 +58,8 @@ def main():
     parser = ArgumentParser(prog="timing_diagrams.py", description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; exit code 1 when a picture is not what the simulation gives")
     check = parser.parse_args().check
-    stale = 0
-    for name, window in windows(record(ROOT / "build" / "axi" / "diagrams")).items():
-        path, picture = IMAGES / f"{name}.svg", timing.cut(*window)
-        if path.is_file() and path.read_text() == picture:
-            continue
-        stale += 1
-        print(f"{path.relative_to(ROOT)} {'is not up to date' if check else 'written'}")
-        if not check:
-            path.write_text(picture)
-    return EXIT_MISMATCH if check and stale else EXIT_OK
+    pictures = {IMAGES / f"{name}.svg": timing.cut(*window) for name, window in windows(record(ROOT / "build" / "axi" / "diagrams")).items()}
+    return files.update(pictures, check, "scripts/timing_diagrams.py")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from flow.tools import configuration  # noqa: E402
 def main():
     parser = ArgumentParser(prog="verify_axi.py", description=__doc__)
     parser.add_argument("--config", action="append", metavar="NAME", help="only this configuration, in Verilator; may be repeated")
-    parser.add_argument("--frames", type=int, help="correct frames of each --config (default 100)")
+    parser.add_argument("--frames", type=int, help="correct frames of each --config (default: those of the whole run, or 100)")
     parser.add_argument("--seed", type=int, default=1, help="of everything that is random; printed at the end (default 1)")
     parser.add_argument("--chunk", type=int, metavar="N", help="with one --config: only its simulation 'mixture N', to replay it")
     parser.add_argument("--short", action="store_true", help="the selection that the tests run: about a minute and a half")
@@ -28,12 +28,18 @@ def main():
         raise FlowError("--chunk needs one --config")
     if options.seed < 0:
         raise FlowError("--seed must be 0 or more")
+    if options.config and options.simulator == "ghdl":
+        raise FlowError("--config is for the frames in Verilator, so it does not go with --simulator ghdl")
     for name in options.config or ():
         configuration(name)
 
     frames = verify.SHORT_FRAMES if options.short else verify.FRAMES
     if options.config:
         frames = {name: options.frames or verify.FRAMES.get(name, 100) for name in options.config}
+    if options.chunk is not None:
+        chunks = verify.chunks_of(frames[options.config[0]])
+        if options.chunk not in chunks:
+            raise FlowError(f"--chunk must be 0 ... {chunks[-1]}")
     run = verify.Verification(options.seed, options.out.resolve())
     if options.simulator != "ghdl":
         for name, count in frames.items():

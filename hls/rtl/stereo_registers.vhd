@@ -5,7 +5,7 @@
 --   enable, soft_reset    bits of `control`; soft_reset holds until soft_reset_done, which also clears errors and counters
 --   errors                pulses, set the sticky bits of `status`
 --   frame_ends, ..broken  a frame has left the core, and was broken; frame_clocks: how long it took
--- Size: about 200 register bits.
+-- Size: about 150 register bits.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;

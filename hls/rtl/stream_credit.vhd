@@ -11,7 +11,7 @@
 --   stray      a disparity came in a clock where none can: `latency` is not that of the core
 -- A credit is away latency + 4 clocks when nothing waits (one to enter the core, `latency` in it, two in the queue, one
 -- to count), so as many credits give a group a clock.
--- Size: latency + 1 register bits and a counter of 0 ... words.
+-- Size: latency + 2 register bits and a counter of 0 ... words.
 library ieee;
 use ieee.std_logic_1164.all;
 

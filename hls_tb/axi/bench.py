@@ -48,6 +48,7 @@ class Watch:
         self.dut = dut
         self.clock = 0
         self.moved = 0  # the last clock in which a beat moved
+        self.taken = []  # the clocks of the beats of s_axis
         self.segments = []  # since each reset: ([beat of s_axis, ...], [(data, flags, clock) of m_axis, ...])
         self.breaches = []
         self.held = {}
@@ -71,6 +72,7 @@ class Watch:
         if dut.s_axis_tvalid.value and dut.s_axis_tready.value:
             flags = int(dut.s_axis_tuser.value) | int(dut.s_axis_tlast.value) << 1
             self.segments[-1][0].append((int(dut.s_axis_tdata.value), flags))
+            self.taken.append(self.clock)
             self.moved = self.clock
         valid, ready = int(dut.m_axis_tvalid.value), int(dut.m_axis_tready.value)
         beat = None

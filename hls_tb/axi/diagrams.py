@@ -20,7 +20,6 @@ async def record(dut, names, rows):
     while True:
         await FallingEdge(dut.aclk)
         row = {name: str(getattr(dut, name).value) for name in ("aresetn", *names)}
-        # What a stream carries means nothing while its valid is '0'.
         rows.append(row)
 
 

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plays a stream of scripts/flow/axi/script.py into stereo_ip and writes down every beat of m_axis. It judges nothing but
 // the protocol: contract.py compares.
-//   bench STREAM OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]
+//   bench STREAM OBSERVED
 // OBSERVED: "o DATA FLAGS CLOCK" for each beat (flags: 1 start of frame, 2 frame error, 4 end of line), "r" at a reset,
 // "p SENTENCE" for a breach of the protocol, then "end CLOCKS" or "hang CLOCK".
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <memory>
 #include <random>
 
 #include "Vstereo_ip.h"
 #include "verilated.h"
-#if VM_TRACE
-#include "verilated_fst_c.h"
-#endif
 
 namespace {
 
@@ -42,26 +37,10 @@ void drive(Port& port, uint64_t value) {
 
 class Bench {
   public:
-   Bench(std::FILE* observed, unsigned seed, int argc, char** argv) : observed_(observed), random_(seed) {
-#if VM_TRACE
-      if (argc == 6) {
-         Verilated::traceEverOn(true);
-         first_clock_ = std::atol(argv[4]), last_clock_ = std::atol(argv[5]);
-         wave_ = std::make_unique<VerilatedFstC>();
-         model_.trace(wave_.get(), 99);
-         wave_->open(argv[3]);
-      }
-#else
-      (void)argc, (void)argv;
-#endif
+   Bench(std::FILE* observed, unsigned seed) : observed_(observed), random_(seed) {
       model_.s_axil_awvalid = model_.s_axil_wvalid = model_.s_axil_arvalid = 0;
       model_.s_axil_bready = model_.s_axil_rready = 1;
       reset(2);
-   }
-   ~Bench() {
-#if VM_TRACE
-      if (wave_) wave_->close();
-#endif
    }
 
    void set_rates(int source, int sink) { source_percent_ = source, sink_percent_ = sink; }
@@ -111,7 +90,6 @@ class Bench {
       model_.m_axis_tready = !chance(sink_percent_);
       model_.aclk = 0;
       model_.eval();
-      dump(0);
       check_protocol();
       const bool taken = model_.aresetn && model_.s_axis_tvalid && model_.s_axis_tready;
       const bool given = model_.aresetn && model_.m_axis_tvalid && model_.m_axis_tready;
@@ -119,7 +97,6 @@ class Bench {
       if (taken || given) last_beat_ = clock_;
       model_.aclk = 1;
       model_.eval();
-      dump(1);
       if (++clock_ % kProgressClocks == 0) std::printf("progress %ld\n", clock_), std::fflush(stdout);
       if (model_.s_axis_tvalid && clock_ - last_beat_ > kHangClocks) {
          std::fprintf(observed_, "hang %ld\n", clock_);
@@ -142,12 +119,6 @@ class Bench {
       was_reset_ = !model_.aresetn;
    }
 
-   void dump([[maybe_unused]] int phase) {
-#if VM_TRACE
-      if (wave_ && clock_ >= first_clock_ && clock_ <= last_clock_) wave_->dump(static_cast<vluint64_t>(10 * clock_ + 5 * phase));
-#endif
-   }
-
    Vstereo_ip model_;
    std::FILE* observed_;
    std::mt19937 random_;
@@ -156,10 +127,6 @@ class Bench {
    bool waiting_ = false, was_reset_ = false;
    Beat data_{};
    int flags_ = 0;
-#if VM_TRACE
-   std::unique_ptr<VerilatedFstC> wave_;
-   long first_clock_ = 0, last_clock_ = 0;
-#endif
 };
 
 void play(std::FILE* stream, Bench& bench) {
@@ -180,18 +147,22 @@ void play(std::FILE* stream, Bench& bench) {
 }  // namespace
 
 int main(int argc, char** argv) {
-   if (argc != 3 && argc != 6) {
-      std::fprintf(stderr, "usage: bench STREAM OBSERVED [WAVE FIRST_CLOCK LAST_CLOCK]\n");
+   if (argc != 3) {
+      std::fprintf(stderr, "usage: bench STREAM OBSERVED\n");
       return 2;
    }
    std::FILE* stream = std::fopen(argv[1], "r");
    std::FILE* observed = std::fopen(argv[2], "w");
    unsigned seed = 0;
-   if (!stream || !observed || std::fscanf(stream, "stereo-hls stream 1 seed=%u", &seed) != 1) {
-      std::fprintf(stderr, "cannot open or read %s\n", stream ? argv[2] : argv[1]);
+   if (!stream || !observed) {
+      std::fprintf(stderr, "cannot open %s\n", stream ? argv[2] : argv[1]);
       return 2;
    }
-   Bench bench(observed, seed, argc, argv);
+   if (std::fscanf(stream, "stereo-hls stream 1 seed=%u", &seed) != 1) {
+      std::fprintf(stderr, "%s: no stream of format 1\n", argv[1]);
+      return 2;
+   }
+   Bench bench(observed, seed);
    play(stream, bench);
    std::fprintf(observed, "end %ld\n", bench.clocks());
    return std::fclose(observed) == 0 ? 0 : 1;

@@ -11,8 +11,7 @@ entity tb_stereo_core is
     stimulus_file  : string;
     observed_file  : string;
     pixels         : positive := 1;  -- pixel pairs a clock
-    disparity_bits : positive := 8;  -- of one pixel
-    progress_clocks : positive := 1000
+    disparity_bits : positive := 8  -- of one pixel
   );
 end entity;
 
@@ -32,6 +31,7 @@ begin
 
   main : process
     constant half_period : time := 5 ns;
+    constant progress_clocks : positive := 1000;
     file stimulus, observed : text;
     variable stimulus_line, observed_line, progress_line : line;
     variable flags : std_logic_vector(3 downto 0);

@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <typeinfo>
 
 namespace stereo {
 
@@ -15,13 +17,18 @@ class HeapMemories {
       struct Array {
          Word words[Depth] = {};
       };
-      std::shared_ptr<void>& array = arrays_[Number];
-      if (!array) array = std::make_shared<Array>();
-      return static_cast<Array*>(array.get())->words;
+      Memory& memory = memories_[Number];
+      if (!memory.array) memory = {std::make_shared<Array>(), &typeid(Array)};
+      if (*memory.type != typeid(Array)) throw std::logic_error("two memories of a core have the same number");
+      return static_cast<Array*>(memory.array.get())->words;
    }
 
   private:
-   std::map<int, std::shared_ptr<void>> arrays_;
+   struct Memory {
+      std::shared_ptr<void> array;
+      const std::type_info* type = nullptr;
+   };
+   std::map<int, Memory> memories_;
 };
 
 }  // namespace stereo

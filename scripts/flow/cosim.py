@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Co-simulation: the C++ core makes stimulus and expectation, a simulator runs the VHDL, the checker compares."""
 
+import dataclasses
 import json
+import re
 import shlex
 import time
 import xml.etree.ElementTree as xml
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from . import checker, manifest, mismatch, vectors
+from . import checker, figures, manifest, mismatch, vectors
 from .bambu import original_files
-from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
+from .errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from .simulators import SIMULATORS, Ghdl
 from .tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
 
@@ -23,12 +24,12 @@ AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
 SIMULATIONS = ROOT / "build" / "cosim" / "simulators"
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Job:
     config: str
     left: Path
     right: Path
-    rows: Optional[str] = None  # "A:B", image rows A ... B-1 only
+    rows: Optional[str] = None  # "A:B", image rows A ... B-1 only; "N": figures.middle_rows
     frames: int = 1
     stall_percent: int = 0
     seed: int = 1
@@ -56,6 +57,8 @@ def make_vectors(job, directory):
 def run_job(job):
     """Runs one co-simulation, writes report.json and junit.xml, prints the summary. Returns the report."""
     parameters = configuration(job.config)
+    if job.rows is not None and re.fullmatch("[1-9][0-9]*", job.rows):
+        job = dataclasses.replace(job, rows=figures.middle_rows(parameters, int(job.rows)))
     _check_wave(job)
     files = original_files(job.config) if job.simulator == "original" else manifest.vhdl_files(job.rtl or GENERATED_RTL / job.config)
     out = job.out_directory()
@@ -83,7 +86,7 @@ def run_job(job):
         bar.update(task, completed=len(stimulus))
     observed, clocks = vectors.read_observed(observed_path)
     if clocks != len(stimulus):
-        raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", 4)
+        raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", EXIT_TOOL_FAILED)
 
     verdict = checker.compare(expected, observed, parameters["disparity_bits"])
     timing = checker.measure(stimulus, observed, parameters)
@@ -200,8 +203,7 @@ def _check_wave(job):
 def _dump_wave(job, simulator, stimulus_path, out, verdict, clocks):
     """Second run with a dump: around the first mismatch, or the first clocks when there is none."""
     first = verdict.first_mismatch
-    centre = (first.expected or first.got).clock if first else WAVE_CLOCKS_BEFORE
-    window = (max(centre - WAVE_CLOCKS_BEFORE, 0), min(centre + WAVE_CLOCKS_AFTER, clocks))
+    window = mismatch.window(first.clock if first else WAVE_CLOCKS_BEFORE, clocks, WAVE_CLOCKS_BEFORE, WAVE_CLOCKS_AFTER)
     wave = Path(job.wave).resolve()
     simulator.run(stimulus_path, out / "observed_wave.txt", lambda clock: None, job.watchdog_seconds, wave, window)
     (out / "observed_wave.txt").unlink()

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from . import json_files, performance
 from .errors import FlowError
+from .results import Configuration
 from .tools import GENERATED_RTL
 
 PICTURE = Path("match/overview.png")
@@ -28,7 +29,7 @@ _MATCH_KEYS = {
 }
 _TRUTH_KEYS = {"disparity": str, "visible": str, "tolerance_px": int, "compared_px": int, "bad_px": int}
 _COSIM_KEYS = {
-    "config": str, "simulator": str, "rows": (str, type(None)), "stall_percent": int, "seed": int, "passed": bool, "expected": int,
+    "config": str, "command": str, "simulator": str, "rows": (str, type(None)), "stall_percent": int, "seed": int, "passed": bool, "expected": int,
     "compared": int, "mismatches": int, "first_mismatch": (str, type(None)), "frames": int, "clocks": int,
     "clocks_per_frame": (int, type(None)), "initiation_interval": (dict, type(None)), "latency_clocks": (int, type(None)),
     "clocks_per_second": (int, float), "build_seconds": (int, float), "simulation_seconds": (int, float),
@@ -42,7 +43,7 @@ class Demo:
     folder: Path
     match: dict
     cosims: list  # in the order of COSIMS
-    core: performance.Configuration
+    core: Configuration
     has_checks: bool
 
     @property
@@ -78,7 +79,7 @@ def read_demo(folder):
     cosims = [_read_cosim(folder / name / "report.json", match["config"]) for name in COSIMS]
     core = _read_core(match["config"])
     p = core.parameters
-    has_checks = p.get("left_right_threshold", -1) >= 0 or p.get("uniqueness_percent", 0) > 0 or p.get("texture_threshold", 0) > 0
+    has_checks = p["left_right_threshold"] >= 0 or p["uniqueness_percent"] > 0 or p["texture_threshold"] > 0
     for name in (MAP, VALID) if has_checks else (MAP,):
         _check_png(folder / name)
     return Demo(folder, match, cosims, core, has_checks)
@@ -120,7 +121,7 @@ def _read_cosim(path, config):
 
 
 def _read_core(config):
-    core = performance.Configuration(config, stale_is_none=True)
+    core = Configuration(config, stale_is_none=True)
     _check(GENERATED_RTL / config / "manifest.json", core.manifest["tool_report"], _TOOL_KEYS)
     return core
 

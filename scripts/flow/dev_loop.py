@@ -13,7 +13,7 @@ from .tools import GENERATED_RTL, ROOT, find_bambu, find_ghdl, find_verilator, r
 
 SCRIPTS = ROOT / "scripts"
 WORK = ROOT / "build" / "dev_loop"
-ORIGINAL_ROWS = 3  # as Bambu's own VHDL takes about a second for 100 clocks
+ORIGINAL_ROWS = 3  # or as few as give an output: Bambu's own VHDL takes about a second for 100 clocks
 
 
 @dataclass
@@ -92,7 +92,7 @@ class DevLoop:
         name, new_rtl = f"{simulator}{'-crop' if rows else ''}", WORK / "rtl" / self.config
         command = [SCRIPTS / "cosim.py", "--config", self.config, "--simulator", simulator, "--out", WORK / name]
         command += ["--left", WORK / "scene" / "left.png", "--right", WORK / "scene" / "right.png"]
-        command += ["--rows", f"0:{rows}"] if rows else []
+        command += ["--rows", rows] if rows else []
         command += ["--rtl", new_rtl] if new_rtl.is_dir() else []
         run(command, log=WORK / f"{name}.log", passes_errors=True)
         report = json.loads((WORK / name / "report.json").read_text())

@@ -2,7 +2,8 @@
 """docs/features.md: what each option of the algorithm and of the pipeline costs, from committed files only."""
 
 from . import figures, implement
-from .performance import Configuration, code, number, table
+from .markdown import code, number, table
+from .results import Configuration
 from .tools import ROOT
 
 PAGE = ROOT / "docs" / "features.md"
@@ -115,7 +116,3 @@ def page():
     p = Configuration(BASE).parameters
     size = f"{p['width_px']}x{p['height_px']}, D = {p['disparities']}"
     return TEXT.format(size=size, options=options_table(), crossover="\n" + crossover(), depths=depths_table())
-
-
-def is_up_to_date():
-    return PAGE.is_file() and PAGE.read_text() == page()

@@ -5,7 +5,18 @@
 def clocks_per_frame(parameters):
     """Frames as close to each other as they may be take a clock for each group of pixel pairs and, with recursive sums, for
     each group of the gap between them; co-simulation measures the same."""
-    return parameters["width_px"] * parameters["height_px"] // parameters.get("pixels_per_clock", 1) + parameters.get("gap_groups", 0)
+    return parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"] + parameters["gap_groups"]
+
+
+def middle_rows(parameters, least):
+    """"A:B", the fewest rows around the middle, `least` or more, that give an output; None when only the whole frame does."""
+    lanes, height = parameters["pixels_per_clock"], parameters["height_px"]
+    groups = max(-(-least // lanes), -(-parameters["groups_to_first_output"] // parameters["width_px"]))
+    rows = groups * lanes
+    if rows >= height:
+        return None
+    first = (height - rows) // 2
+    return f"{first}:{first + rows}"
 
 
 def evaluations_per_frame(parameters):

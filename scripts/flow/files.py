@@ -5,7 +5,8 @@ import os
 import tempfile
 from pathlib import Path
 
-from .errors import FlowError
+from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
+from .tools import ROOT
 
 
 def write(path, content):
@@ -23,3 +24,17 @@ def write(path, content):
         if temporary is not None:
             temporary.unlink(missing_ok=True)
         raise FlowError(f"cannot write {path}: {error.strerror}") from None
+
+
+def update(texts, check, command):
+    """For a command that makes committed files. Writes those of {path: text} that differ, or with `check` refuses them; returns
+    the exit code. `command` makes them again."""
+    stale = [path for path, text in texts.items() if not path.is_file() or path.read_text() != text]
+    names = {path: path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else str(path) for path in texts}
+    if check and stale:
+        raise FlowError(f"not up to date: {', '.join(names[path] for path in stale)}; run {command}", EXIT_MISMATCH)
+    for path, text in texts.items():
+        if path in stale:
+            write(path, text)
+        print(f"wrote {names[path]}" if path in stale else f"{names[path]} is up to date")
+    return EXIT_OK

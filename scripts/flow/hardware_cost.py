@@ -11,8 +11,9 @@ synthesised and routed at one size, most with one option beside the plain core.
 from dataclasses import dataclass
 from typing import Optional
 
-from . import figures, implement, performance
+from . import figures, implement
 from .families import STUDY, family
+from .results import Configuration
 
 BASE = "study"
 TARGET = "ecp5"
@@ -45,12 +46,12 @@ def features(parameters):
 
 
 class Family:
-    """The measured configurations. `known`: {name: performance.Configuration}, for tests; default: the committed folders."""
+    """The measured configurations. `known`: {name: results.Configuration}, for tests; default: the committed folders."""
 
     def __init__(self, known=None):
         if known is None:
             names = [name for name in implement.known_configurations() if family(name) == STUDY or name in _SCALE_CHECK]
-            known = {name: performance.Configuration(name, stale_is_none=True) for name in names}
+            known = {name: Configuration(name, stale_is_none=True) for name in names}
         self._known = known
         self.base = known[BASE]
         self._members = {}  # {features as items: (name, LUTs or None)}

@@ -29,8 +29,12 @@ class Job:
 
 
 def known_configurations():
-    """The committed folders: what can be implemented without building anything."""
+    """The folders with a manifest. Some may lack the VHDL, which the repository does not keep of all."""
     return sorted(path.parent.name for path in GENERATED_RTL.glob("*/manifest.json"))
+
+
+def has_vhdl(name):
+    return all((GENERATED_RTL / name / file).is_file() for file in manifest.read(GENERATED_RTL / name)["files"])
 
 
 def read(directory):

@@ -5,11 +5,11 @@ import re
 import shutil
 from pathlib import Path
 
-from . import manifest
+from . import example, manifest
 from .axi import design
 from .errors import FlowError
 from .simulators import GHDL_STANDARD, to_verilog
-from .tools import GENERATED_RTL, ROOT, find_ghdl, find_verilator, run
+from .tools import GENERATED_RTL, find_ghdl, find_verilator, run
 from .yosys import find_yosys
 
 GHDL_WARNINGS = ("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port",
@@ -75,7 +75,7 @@ def check(config, generics, work, shell=None, say=print):
     work.mkdir(parents=True)
     memory, written = design.RTL / "line_memory.vhd", design.shell_files(shell)
     core = [path for path in manifest.vhdl_files(GENERATED_RTL / config) if path.name != memory.name]
-    examples = [ROOT / "examples" / "ecp5" / f"{name}.vhd" for name in ("pattern_source", "map_check", "example_top", "tb_example_top")]
+    examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
     found = [sentence for path in (memory, *written, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     run([find_ghdl(), "-a", GHDL_STANDARD, *core], cwd=work, log=work / "core.log")

@@ -30,9 +30,12 @@ def hardware_digests():
 
 
 def source_digests():
-    """Every file that decides what the VHDL looks like: the core, its memory cell and the steps that write the VHDL."""
-    writer = sorted((ROOT / "scripts" / "flow" / "rtl").glob("*.py"))
-    return hardware_digests() | _digests([ROOT / "hls" / "rtl" / "line_memory.vhd", *writer])
+    """Every file that decides what the VHDL looks like: the core, its memory cell, the names of its registers and the steps
+    that write the VHDL."""
+    flow, names = ROOT / "scripts" / "flow", ROOT / "hls_tb" / "vectors"
+    return hardware_digests() | _digests([
+        ROOT / "hls" / "rtl" / "line_memory.vhd", names / "register_names.hpp", names / "slice_register_names.hpp",
+        flow / "bambu.py", flow / "generate.py", *sorted((flow / "rtl").glob("*.py"))])
 
 
 def write(directory, manifest):
@@ -86,9 +89,15 @@ def vhdl_files(directory):
 
 
 def stale_reasons(name, parameters):
-    """Why the committed VHDL of a configuration no longer follows from the sources; empty when it does."""
+    """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is well."""
     manifest = read(GENERATED_RTL / name)
     reasons = []
+    for file, expected in manifest["files"].items():
+        path = GENERATED_RTL / name / file
+        if not path.is_file():
+            reasons += [f"{file} is missing"] if keeps_vhdl(name) else []
+        elif digest(path) != expected:
+            reasons.append(f"{file} was edited")
     if manifest["parameters"] != parameters:
         reasons.append("its row in hls/configurations.hpp changed")
     now = source_digests()

@@ -85,7 +85,7 @@ class Frame:
 def _pictures(frame, parameters, simulator, mark):
     numpy, _ = pictures.libraries()
     height, width = frame.wrong.shape
-    steps, low = (16 if frame.bits == 16 else 1), parameters.get("min_disparity", 0)
+    steps, low = (16 if frame.bits == 16 else 1), parameters["min_disparity"]
     high = low + parameters["disparities"] - 1
 
     def picture(title, values, valid, caption):
@@ -104,7 +104,7 @@ def _pictures(frame, parameters, simulator, mark):
             pictures.Picture("Difference", pictures.png(difference), "Disparity, flags or clock.", width, height, (), legend, mark)]
 
 
-def _place(first, bits):
+def _place(first):
     """(x, y) of the first mismatch, or None for a surplus output."""
     return (first.expected.x, first.expected.y + first.wrong_row()) if first.expected else None
 
@@ -121,24 +121,24 @@ def read(folder, parameters):
     first = checker.compare(expected, observed, bits).first_mismatch
     if first is None:
         return None
-    place = _place(first, bits)
+    place = _place(first)
     frame = Frame(expected, observed, first.expected.frame if first.expected else expected[-1].frame, parameters["pixels_per_clock"], bits)
     mark = None
     if place:
         mark = 100 * (place[0] + 0.5) / frame.wrong.shape[1], 100 * (place[1] + 0.5) / frame.wrong.shape[0]
     wave, notes = None, ["In brackets: pixel_valid is 0."] if not (frame.expected_valid.all() and frame.got_valid.all()) else []
     if (folder / DUMP).is_file():
-        wave, note = _wave(folder, report, first, clocks)
+        wave, note = _wave(folder, report, first)
         notes += note
     return Failure(report, str(first), notes, _pictures(frame, parameters, report["simulator"], mark), frame.around(*place) if place else None, wave)
 
 
-def window(first, clocks, before, after):
-    """First and last clock to dump around a mismatch."""
-    return max(first.clock - before, 0), min(first.clock + after, clocks)
+def window(clock, clocks, before, after):
+    """First and last clock to dump around one of `clocks` clocks."""
+    return max(clock - before, 0), min(clock + after, clocks)
 
 
-def _wave(folder, report, first, clocks):
+def _wave(folder, report, first):
     """(table of the dump, notes)"""
     begin, end = report["wave_clocks"]
     command = shlex.join(["gtkwave", str(folder / DUMP), str(folder / SAVE)])
@@ -168,7 +168,7 @@ def explain(folder, parameters, first, clocks, dump, before, after):
     `dump(path, window)` simulates again and writes the waveform."""
     lines, report_path = [], folder / "report.json"
     try:
-        clocks_shown = window(first, clocks, before, after)
+        clocks_shown = window(first.clock, clocks, before, after)
         dump(folder / DUMP, clocks_shown)
         report = json.loads(report_path.read_text()) | {"wave_clocks": clocks_shown}
         report_path.write_text(json.dumps(report, indent=2) + "\n")

@@ -24,7 +24,7 @@ EXPLANATIONS = ROOT / "hls_tb" / "mutation" / "equivalent.json"
 WATCHDOG_SECONDS = 120
 # (grey levels, distance between them, bubbles in percent) of the co-simulations of the core alone, two frames each
 CORE_RUNS = ((4, 85, 10), (4, 1, 20), (256, 1, 0), (2, 255, 50))
-SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
+CONFIG_OF_SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
 # (configuration, module, tests or None for all, generics that differ) of the stages of the shell
 SHELL_STAGES = (
     (CONFIG, "test_stereo_ip", ["full_speed", "stalls_30_30"], {}),
@@ -35,7 +35,7 @@ SHELL_STAGES = (
     (CONFIG, "test_generics", ["wrong_latency"], {"latency_clocks": 14}),
     (CONFIG, "test_generics", ["wrong_latency"], {"latency_clocks": 16}),
     (CONFIG, "test_generics", ["starts_disabled"], {"enabled_at_reset": "false"}),
-    (SHORT_FRAMES, "test_stereo_ip", ["stalls_0_10", "mixture"], {}),
+    (CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ["stalls_0_10", "mixture"], {}),
 )
 # What the co-simulation of the core alone does not do: more flush groups than needed, resets, frames that join a flush.
 CORE_STAGES = (
@@ -53,11 +53,7 @@ class Verdict:
 
 
 def core_files():
-    return [GENERATED_RTL / CONFIG / name for name in ("line_memory.vhd", "stereo_core.vhd")]
-
-
-def shell_files():
-    return design.shell_files()
+    return manifest.vhdl_files(GENERATED_RTL / CONFIG)
 
 
 def compiles(files, folder):
@@ -139,15 +135,15 @@ class Shell:
         return ""
 
 
-class Memory:
+class EarlierVerdicts:
     """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was."""
 
     def __init__(self):
         judges = (broken, checker, cocotb_runs, contract, formal, mutants, pool, script, simulators, vectors)
         tests = [*sorted((ROOT / "hls_tb" / "axi").glob("*.py")), *sorted((ROOT / "hls_tb" / "formal").iterdir()),
                  *(Path(module.__file__) for module in judges)]
-        others = manifest.vhdl_files(GENERATED_RTL / SHORT_FRAMES)
-        sources = [*core_files(), *shell_files(), *others, Path(__file__), *(path for path in tests if path.name != "diagrams.py")]
+        others = manifest.vhdl_files(GENERATED_RTL / CONFIG_OF_SHORT_FRAMES)
+        sources = [*core_files(), *design.shell_files(), *others, Path(__file__), *(path for path in tests if path.name != "diagrams.py")]
         digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
         WORK.mkdir(parents=True, exist_ok=True)
         self.path = WORK / f"verdicts_{digest}.jsonl"
@@ -165,13 +161,13 @@ class Memory:
 
 
 class Run:
-    """A number of mutants of the core and of the shell, two at a time."""
+    """A number of mutants of the core and of the shell, some at a time."""
 
     def __init__(self, seed, core_count, shell_count, jobs=2, say=print):
         self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
         self.core, self.shell, self.core_in_shell = Core(), Shell(), Shell(CORE_STAGES)
         self.explanations = json.loads(EXPLANATIONS.read_text())
-        self.memory = Memory()
+        self.earlier = EarlierVerdicts()
         self.verdicts = []
         self.lock = threading.Lock()
 
@@ -180,7 +176,7 @@ class Run:
         shutil.rmtree(folder, ignore_errors=True)
         changed = mutants.write(mutant, folder / "rtl")
         core, shell = ([changed if path.name == changed.name else path for path in files]
-                       for files in (manifest.vhdl_files(GENERATED_RTL / CONFIG), shell_files()))
+                       for files in (core_files(), design.shell_files()))
         (folder / "compile").mkdir()
         started = time.monotonic()
         if not compiles([*core, *shell], folder / "compile"):
@@ -204,12 +200,12 @@ class Run:
                 self.started[is_core] += 1
                 self.number += 1
                 number = self.number
-            verdict = self.memory.recall(mutant)
+            verdict = self.earlier.recall(mutant)
             fresh = verdict is None
             verdict = verdict or self.judge(mutant, is_core, number)
             with self.lock:
                 if fresh:
-                    self.memory.keep(verdict)
+                    self.earlier.keep(verdict)
                 if verdict.outcome == "invalid":
                     self.started[is_core] -= 1
                     continue
@@ -222,7 +218,7 @@ class Run:
 
     def run(self):
         self.number, self.started = 0, {True: 0, False: 0}
-        for is_core, files, count in ((True, core_files(), self.counts[0]), (False, shell_files(), self.counts[1])):
+        for is_core, files, count in ((True, core_files(), self.counts[0]), (False, design.shell_files(), self.counts[1])):
             stream = mutants.shuffled(files, self.seed)
             with ThreadPoolExecutor(self.jobs) as workers:
                 for future in [workers.submit(self._next, stream, is_core, count) for _ in range(self.jobs)]:

@@ -3,16 +3,16 @@
 
 from typing import NamedTuple, Optional
 
-from . import figures, implement, manifest
-from .errors import FlowError
+from . import figures, implement
 from .families import PAPER as PAPER_FAMILY
 from .families import TINY, family
-from .tools import GENERATED_RTL, ROOT
+from .markdown import UNKNOWN, code, number, table
+from .results import Configuration
+from .tools import ROOT
 from .yosys import TARGETS
 
 PAGE = ROOT / "docs" / "performance.md"
 PAPER = {"width_px": 320, "height_px": 240, "disparities": 100}
-UNKNOWN = "-"
 
 
 class Published(NamedTuple):
@@ -38,7 +38,7 @@ PUBLISHED = [Published(*row) for row in (
 PAPER_SYSTEM = PUBLISHED[0]  # "Hardware implementation of an SAD based stereo vision algorithm", 2007
 
 _SURVEY = "table 1 of doi 10.1155/2014/945926"
-# (system of the paper's comparison, point, frames a second where a public source gives them, that source, configuration)
+# (system of the paper's comparison or of ours, point, frames a second where a public source gives them, that source, configuration)
 SYSTEMS = [
     ("Niitsuma and Maruyama", "640x480, D=27, 7x7", None, "", "niitsuma_640"),
     ("Niitsuma and Maruyama", "320x240, D=121, 7x7", None, "", "niitsuma_320"),
@@ -47,52 +47,12 @@ SYSTEMS = [
     ("Yi et al.", "270x270, D=34, window not stated: 9x9 here", None, "", "yi_270"),
     ("Han et al.", "640x480, D=128, window not stated: 9x9 here", None, "", "han_640"),
     ("DeepSea (Tyzx)", "512x480, D=52, census", 200, _SURVEY, "deepsea_512"),
+    ("OpenCV StereoBM, block 15", "450x375, D=64, checks, subpixel", None, "", "opencv_bm"),
+    ("best trade-off in quality.md", "450x375, D=48, census 9x3, 9x9", None, "", "census_450"),
     ("Kim et al.: trellis", "320x240, D=128", 30, _SURVEY, None),
     ("PARTS, Masrani and MacLean: local weighted phase correlation", "640x480, D=36 (Masrani)", 30, _SURVEY, None),
     ("Masrani and MacLean: dynamic range", "", None, "", None),
 ]
-
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
-
-
-def number(value, digits=0):
-    return UNKNOWN if value is None else f"{value:,.{digits}f}"
-
-
-class Configuration:
-    """The committed files of one configuration. `targets` is empty when it is not implemented yet, and, if `stale_is_none`,
-    when it was implemented from other VHDL."""
-
-    def __init__(self, name, stale_is_none=False):
-        self.name = name
-        self.manifest = manifest.read(GENERATED_RTL / name)
-        self.parameters = self.manifest["parameters"]
-        result = implement.read(GENERATED_RTL / name)
-        self.stale = result is not None and not implement.is_fresh(result, self.manifest)
-        if self.stale and stale_is_none:
-            result = None
-        elif self.stale:
-            raise FlowError(f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}", 1)
-        self.targets = result["targets"] if result else {}
-
-    def size(self):
-        p = self.parameters
-        return f"{p['width_px']}x{p['height_px']}, D={p['disparities']}, {p['window_px']}x{p['window_px']}, P={p.get('pixels_per_clock', 1)}"
-
-    def clock(self):
-        """Routed clock and what follows from it, or {} when there is none."""
-        routed = self.targets.get("ecp5")
-        if not routed:
-            return {}
-        median = routed["fmax_mhz"]["median"]
-        return {"median": median, "best": routed["fmax_mhz"]["best"], "path": routed["critical_path"], **figures.speed(self.parameters, median, figures.lut_count(routed))}
-
-
-def code(command):
-    return f"`{command}`"
 
 
 def per_clock_table(configurations):
@@ -152,7 +112,7 @@ def comparison(configurations):
 TEXT = """\
 # Performance
 
-Made by `scripts/performance.py` from the manifest.json and implementation.json of the folders in `generated_rtl/`. Do not
+Made by `scripts/performance.py` from the manifest.json, cosimulation.json and implementation.json of the folders in `generated_rtl/`. Do not
 edit. A dash is a number that is not published or not measured yet.
 
 W, H: image size; D: disparities; P: pixel pairs a clock; Mde/s: million disparity evaluations, W\\*H\\*D each frame, a second.
@@ -185,10 +145,24 @@ Stratix II by Altera's tools. The frames a second of this core are those of ECP5
 
 {comparison}
 
+The systems that the paper compares itself with, and two more, as configurations of this core. "Compared": outputs of the VHDL
+that the co-simulation compared with those of the C++ core, of some rows in GHDL and of a whole frame in Verilator:
+
+```sh
+build/release/stereo_hls scene --config NAME --seed 1 --out build/scenes/NAME
+scripts/cosim.py --config NAME --left build/scenes/NAME/left.png --right build/scenes/NAME/right.png --rows 16 --record
+scripts/cosim.py --config NAME --left build/scenes/NAME/left.png --right build/scenes/NAME/right.png --simulator verilator --record
+scripts/implement.py --config NAME --target ecp5 --seeds 1
+```
+
 {systems}
 
 [features.md](features.md) shows what each option, each window and each depth of the pipeline costs.
 """
+
+
+def _compared(run):
+    return UNKNOWN if run is None else f"{run['compared']:,} of {run['expected']:,}, {run['mismatches']:,} differ"
 
 
 def systems(make=Configuration):
@@ -196,7 +170,7 @@ def systems(make=Configuration):
     rows = []
     for system, what, published, source, name in SYSTEMS:
         if name is None or name not in implement.known_configurations():
-            rows.append([system, what, number(published), source, code(name) if name else "not done yet", *[UNKNOWN] * 6])
+            rows.append([system, what, number(published), source, code(name) if name else "not done yet", *[UNKNOWN] * 8])
             continue
         c = make(name)
         clock, area = c.clock(), c.targets.get("ecp5")
@@ -204,9 +178,10 @@ def systems(make=Configuration):
         rows.append([
             system, what, number(published), source, code(name), number(figures.clocks_per_frame(c.parameters)),
             number(c.manifest["tool_report"]["register_bits"]), number(c.manifest["tool_report"]["memory_bits"]),
+            *(_compared(c.cosimulations.get(simulator)) for simulator in ("ghdl", "verilator")),
             number(figures.lut_count(area)) if area else UNKNOWN, number(cyclone and cyclone["aluts"]), number(clock.get("frames_per_second"))])
-    head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "LUT4", "ALUTs",
-            "frames a second on ECP5"]
+    head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "compared in GHDL",
+            "compared in Verilator", "LUT4", "ALUTs", "frames a second on ECP5"]
     return head, rows
 
 
@@ -215,7 +190,3 @@ def page():
     configurations = [Configuration(name) for name in implement.known_configurations() if family(name) in (PAPER_FAMILY, TINY)]
     return TEXT.format(per_clock=per_clock_table(configurations), speed=speed_table(configurations), area=area_table(configurations),
                        comparison=table(*comparison(configurations)), systems=table(*systems()))
-
-
-def is_up_to_date():
-    return PAGE.is_file() and PAGE.read_text() == page()

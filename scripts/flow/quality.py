@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 from .evaluation import MASKS, MEASURES, evaluate, scene
-from .performance import number, table
+from .markdown import number, table
 from .tools import ROOT
 
 PAGE = ROOT / "docs" / "quality.md"
@@ -18,7 +18,7 @@ MASK_TITLES = ("non-occluded", "all", "discontinuity", "textureless")
 # (testdata/cv/stereomatching/algorithms/stereobm_res.xml), and what that test lets a build deviate by.
 OPENCV_STORED = {"non_occluded": 0.20191769, "all": 0.27192700, "discontinuity": 0.42352176}
 OPENCV_TOLERANCE = 0.022
-BM, SGBM = "StereoBM", "StereoSGBM"
+BM = "StereoBM"
 
 # (title, base configuration, options that differ from it beside the disparity range)
 _NO_CHECKS = ("uniqueness_percent=0", "texture_threshold=0")

@@ -6,9 +6,11 @@ import shlex
 from pathlib import Path
 
 from . import figures, implement, mismatch, page, performance, pictures
-from .demo_folder import COSIMS, MAP, PICTURE, VALID, read_demo  # noqa: F401: read_demo and PICTURE are for report.py
+from .demo_folder import COSIMS, MAP, VALID
 from .errors import FlowError
+from .families import PAPER, family
 from .page import number
+from .results import Configuration
 from .tools import ROOT
 from .yosys import TARGETS
 
@@ -36,17 +38,6 @@ def match_commands(demo):
         truth = ["--truth", match["truth"]["disparity"], "--visible", match["truth"]["visible"]]
     commands.append(_command(PROGRAM, "match", *_pair_options(match), *truth, "--out", "build/match"))
     return commands
-
-
-def cosim_command(match, cosim):
-    words = ["scripts/cosim.py", *_pair_options(match)]
-    if cosim["rows"] is not None:
-        words += ["--rows", cosim["rows"]]
-    if cosim["frames"] > 1:
-        words += ["--frames", cosim["frames"]]
-    if cosim["stall_percent"]:
-        words += ["--stall-percent", cosim["stall_percent"]]
-    return _command(*words, "--seed", cosim["seed"], "--simulator", cosim["simulator"])
 
 
 # --- pictures ---------------------------------------------------------------------------------------------------------
@@ -135,7 +126,7 @@ def hardware(demo):
     name, tool, paper, whole = demo.match["config"], demo.tool, performance.PAPER_SYSTEM, demo.whole_frames
     paper_evaluations = figures.evaluations_per_frame(performance.PAPER)
     return [
-        (cosim_command(demo.match, whole or demo.cosims[0]), [
+        ((whole or demo.cosims[0])["command"], [
             ("clocks a frame" + (", frames back to back" if whole and whole["frames"] > 1 else ""), number(whole and whole["clocks_per_frame"]),
              number(paper.clocks_per_frame)),
             ("latency, clocks", number((whole or demo.cosims[0])["latency_clocks"]), "–")]),
@@ -167,9 +158,9 @@ def _target_rows(demo, target, result):
 def comparisons():
     """[(head, rows)]: what performance.py writes into docs/performance.md; a result of other VHDL counts as none."""
     def make(name):
-        return performance.Configuration(name, stale_is_none=True)
+        return Configuration(name, stale_is_none=True)
 
-    families = [make(name) for name in implement.known_configurations() if performance.family(name) == performance.PAPER_FAMILY]
+    families = [make(name) for name in implement.known_configurations() if family(name) == PAPER]
     return [performance.comparison(families), performance.systems(make)]
 
 
@@ -185,7 +176,7 @@ def render(demo):
     failures = [mismatch.read(demo.folder / name, demo.core.parameters) for name, cosim in zip(COSIMS, demo.cosims) if not cosim["passed"]]
     return page.render(
         "report.html.j2", demo=demo, match=demo.match, truth=demo.match.get("truth"), pictures=drawn, notes=notes, scale=pictures.scale_png(),
-        cards=key_figures(demo), match_commands=match_commands(demo), cosims=[(cosim, cosim_command(demo.match, cosim)) for cosim in demo.cosims],
+        cards=key_figures(demo), match_commands=match_commands(demo), cosims=demo.cosims,
         hardware=hardware(demo), comparisons=comparisons(), bad_percent=bad_percent, failures=[failure for failure in failures if failure],
         size={**performance.PAPER, "window_px": performance.PAPER_WINDOW_PX})
 

@@ -9,7 +9,7 @@ import threading
 from pathlib import Path
 
 from . import vcd, waveform
-from .errors import FlowError
+from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import ROOT, find_ghdl, find_verilator, run, run_with_progress
 
 BENCH = ROOT / "hls_tb" / "cosim"
@@ -36,18 +36,7 @@ class Simulator:
         raise NotImplementedError
 
     def build(self):
-        """Does nothing when the same sources were built here before."""
-        key = hashlib.sha256(repr(self.trace).encode())
-        for path in [*self.vhdl_files, *self._bench_files(), Path(__file__)]:
-            key.update(str(path.resolve()).encode())  # GHDL looks at the file again when it runs
-            key.update(path.read_bytes())
-        stamp = self.work / "built"
-        if stamp.is_file() and stamp.read_text() == key.hexdigest():
-            return
-        shutil.rmtree(self.work, ignore_errors=True)
-        self.work.mkdir(parents=True)
-        self._build()
-        stamp.write_text(key.hexdigest())
+        build_once(self.work, [*self.vhdl_files, *self._bench_files(), Path(__file__)], self.trace, self._build)
 
     def _command(self, stimulus, observed, wave, wave_clocks):
         raise NotImplementedError
@@ -62,6 +51,21 @@ class Simulator:
                 on_clock(int(line.split()[1]))
 
         return run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
+
+
+def build_once(work, files, options, build):
+    """Calls `build` in the empty folder `work`, unless the same files and options were built there before."""
+    key = hashlib.sha256(repr(options).encode())
+    for path in map(Path, files):
+        key.update(str(path.resolve()).encode())  # GHDL looks at the file again when it runs
+        key.update(path.read_bytes())
+    stamp = work / "built"
+    if stamp.is_file() and stamp.read_text() == key.hexdigest():
+        return
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    build()
+    stamp.write_text(key.hexdigest())
 
 
 class Ghdl(Simulator):
@@ -157,22 +161,29 @@ class Verilator(Simulator):
         return [BENCH / "verilator_bench.cpp"]
 
     def _build(self):
-        verilator = find_verilator()
-        verilog = self.work / "stereo_core.v"
-        verilog.write_text(to_verilog(self.vhdl_files, self.work))
-        trace = ["--trace-fst"] if self.trace else []
-        run(
-            [verilator, "--cc", "--exe", "--build", "-j", os.cpu_count() or 1, "-O3", "--x-assign", "fast", "--output-split",
-             "20000", "-Wno-fatal", *trace, "-CFLAGS", "-O2", "--top-module", "stereo_core", "--Mdir", self.work / "model",
-             "-o", "bench", verilog, *self._bench_files()],
-            cwd=self.work, log=self.work / "verilator.log",
-        )
+        verilate(self.work, self.vhdl_files, "stereo_core", self._bench_files(), options=["--trace-fst"] if self.trace else [])
 
     def _command(self, stimulus, observed, wave, wave_clocks):
-        command = [self.work / "model" / "bench", stimulus, observed]
+        command = [verilated_bench(self.work), stimulus, observed]
         if wave is not None:
             command += [wave, *wave_clocks]
         return command
+
+
+def verilate(work, vhdl_files, top, bench_files, generics=None, options=()):
+    """Compiles a design and its C++ bench to the program verilated_bench(work)."""
+    verilator = find_verilator()
+    source = work / f"{top}.v"
+    source.write_text(to_verilog(vhdl_files, work, top, generics))
+    run(
+        [verilator, "--cc", "--exe", "--build", "-j", os.cpu_count() or 1, "-O3", "--x-assign", "fast", "--output-split", "20000",
+         "-Wno-fatal", *options, "-CFLAGS", "-O2", "--top-module", top, "--Mdir", work / "model", "-o", "bench", source, *bench_files],
+        cwd=work, log=work / "verilator.log",
+    )
+
+
+def verilated_bench(work):
+    return work / "model" / "bench"
 
 
 SIMULATORS = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}
@@ -189,7 +200,7 @@ def to_verilog(vhdl_files, work_directory, top="stereo_core", generics=None):
     verilog = run([ghdl, "--synth", GHDL_STANDARD, *values, "--out=verilog", top], cwd=folder, log=log)
     lost = re.search(r".*warning: no assignment for offset.*", log.read_text())
     if lost:
-        raise FlowError(f"ghdl --synth leaves bits without a value: {lost.group()}", 4)
+        raise FlowError(f"ghdl --synth leaves bits without a value: {lost.group()}", EXIT_TOOL_FAILED)
     if f"module {top}" not in verilog:
-        raise FlowError(f"ghdl --synth did not write a module {top}", 4)
+        raise FlowError(f"ghdl --synth did not write a module {top}", EXIT_TOOL_FAILED)
     return verilog

@@ -9,7 +9,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
+from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, EXIT_USAGE, FlowError
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED_RTL = ROOT / "generated_rtl"
@@ -60,8 +60,9 @@ def configurations():
         raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
 
 
-def configuration(name):
-    table = configurations()
+def configuration(name, table=None):
+    """One row of the table, which is asked for where it is not given."""
+    table = configurations() if table is None else table
     if name not in table:
         raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(sorted(table))}")
     return table[name]
@@ -71,7 +72,7 @@ def run(command, cwd=None, log=None, passes_errors=False):
     """Runs a program to its end and returns its standard output.
 
     With `log`, everything it prints goes to that file. With `passes_errors`, the program is one of ours: its own sentence
-    on stderr and its exit code become ours.
+    on stderr becomes ours, and so does its exit code, unless it broke off.
     """
     command = [str(part) for part in command]
     result = subprocess.run(command, cwd=cwd, text=True, errors="replace", capture_output=True, stdin=subprocess.DEVNULL)
@@ -80,7 +81,8 @@ def run(command, cwd=None, log=None, passes_errors=False):
     if result.returncode != 0:
         lines = (result.stderr or result.stdout).strip().splitlines() or ["no message"]
         if passes_errors:
-            raise FlowError(lines[-1].removeprefix("stereo_hls: "), result.returncode)
+            ours = result.returncode in (EXIT_USAGE, EXIT_MISSING_TOOL)
+            raise FlowError(lines[-1].removeprefix("stereo_hls: "), result.returncode if ours else EXIT_TOOL_FAILED)
         name = Path(command[0]).name
         where = f"; see {log}" if log is not None else ""
         raise FlowError(f"{name} failed with exit code {result.returncode}: {lines[-1]}{where}", EXIT_TOOL_FAILED)

@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The text files between the C++ core, the simulators and the checker.
 
-stimulus.txt   stereo-hls stimulus 1 config=NAME pixels=P clocks=N
-               then N lines "F LEFT RIGHT", hexadecimal, one a clock; F bit 0 valid, bit 1 start of frame
-expected.txt   stereo-hls expected 2 config=NAME pixels=P disparity_bits=8|16 outputs=N latency=CLOCKS
-               then N lines "clock x y frame DISPARITY flags", one for each valid output of the C++ core
-observed.txt   "clock DISPARITY flags" for each valid output of the simulated VHDL, then "end CLOCKS";
-               "clock X X" where an output was neither 0 nor 1
+stimulus.txt, expected.txt   what the C++ core makes: hls_tb/vectors/vector_files.hpp defines them
+observed.txt                 "clock DISPARITY flags" for each valid output of the simulated VHDL, with the word and the flags
+                             of expected.txt, then "end CLOCKS"; "clock X X" where an output was neither 0 nor 1
 
-LEFT, RIGHT, DISPARITY: port words of 2*P hexadecimal digits; row y of the group is bits 8y+7 ... 8y. The other numbers are
-decimal. flags: bit 0 start of frame, bit 1 end of line. Clocks count from 0, the first clock after reset.
+Clocks count from 0, the first clock after reset.
 """
 
 import re

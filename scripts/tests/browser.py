@@ -46,9 +46,3 @@ def look(page, folder, width, height=1000):
     seen = re.search('<pre id="seen">(.+?)</pre>', dom, re.DOTALL)
     assert seen, f"chromium did not show {page}"
     return json.loads(html.unescape(seen.group(1)))
-
-
-def shot(page, folder, width, picture):
-    """A picture of the whole page."""
-    height = look(page, folder, width)["height"]
-    _run(folder, width, height, page, f"--screenshot={picture}", f"--window-size={max(width, 500)},{height}")

@@ -63,7 +63,7 @@ def test_image_of_another_size(tmp_path, pair, nothing_written):
     refused(cosim("tiny", (pair[0], large[1]), nothing_written), 2, "left", "right")
 
 
-@pytest.mark.parametrize("rows", ["5", "5:5", "8:3", "0:13", "a:b", "-1:4"])
+@pytest.mark.parametrize("rows", ["0", "5.", "5:5", "8:3", "0:13", "a:b", "-1:4"])
 def test_bad_rows(pair, nothing_written, rows):
     refused(cosim("tiny", pair, nothing_written, f"--rows={rows}"), 2, "row")
 

@@ -5,8 +5,9 @@ import shutil
 import xml.etree.ElementTree as xml
 
 import pytest
+from flow import quality
 from flow_commands import cosim, random_pair, report, scene
-from flow.tools import GENERATED_RTL, ROOT, configuration
+from flow.tools import GENERATED_RTL, configuration
 
 # Outputs a frame: each is a column of as many rows as enter in a clock.
 OUTPUTS = {"tiny": 24 * 12, "tiny_p2": 24 * 6, "tiny_p4": 24 * 3, "ambrosch2007": 220 * 240, "ambrosch2007_p2": 220 * 120, "ambrosch2007_p4": 220 * 60}
@@ -84,9 +85,9 @@ def test_ambrosch2007_two_whole_frames_in_verilator(verilator, pairs, tmp_path):
 
 
 def test_ambrosch2007_real_pair(ghdl, tmp_path):
-    folder = ROOT.parent / "shared" / "data" / "stereo" / "teddy"
+    folder = quality.default_pair()
     if not folder.is_dir():
-        pytest.skip("SKIP: the stereo pair ../shared/data/stereo/teddy is missing")
+        pytest.skip(f"SKIP: the stereo pair {folder} is missing")
     process = cosim("ambrosch2007", (folder / "left.png", folder / "right.png"), tmp_path, "--fit", "crop")
     passed(process, tmp_path, OUTPUTS["ambrosch2007"])
     assert "crop" in process.stdout, "what was done to the images is said"

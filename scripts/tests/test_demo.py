@@ -172,7 +172,8 @@ def test_help():
 # --- report.py without any simulator ----------------------------------------------------------------------------------
 
 COSIM = {
-    "config": "tiny", "simulator": "ghdl", "rows": "2:10", "stall_percent": 0, "seed": 3, "passed": True, "expected": 1168,
+    "config": "tiny", "command": "scripts/cosim.py --config tiny --rows 2:10 --seed 3 --simulator ghdl", "simulator": "ghdl",
+    "rows": "2:10", "stall_percent": 0, "seed": 3, "passed": True, "expected": 1168,
     "compared": 1168, "mismatches": 0, "first_mismatch": None, "frames": 1, "clocks": 270, "clocks_per_frame": None,
     "initiation_interval": {"min": 1, "avg": 1.0, "max": 1}, "latency_clocks": 10, "clocks_per_second": 4321.4,
     "build_seconds": 0.1, "simulation_seconds": 0.1,
@@ -188,7 +189,7 @@ def filled(tmp_path):
         [find_stereo_hls(), "match", "--config", "tiny", "--left", left, "--right", right, "--out", folder / "match",
          "--truth", folder / "scene" / "disparity_right.png", "--visible", folder / "scene" / "visible_right.png"],
         check=True, capture_output=True)
-    whole = {"simulator": "verilator", "rows": None, "frames": 2, "clocks_per_frame": 384, "expected": 576, "compared": 576}
+    whole = {"simulator": "verilator", "command": "scripts/cosim.py --config tiny --frames 2 --seed 3 --simulator verilator", "rows": None, "frames": 2, "clocks_per_frame": 384, "expected": 576, "compared": 576}
     for name, changes in zip(COSIMS, ({}, whole)):
         (folder / name).mkdir()
         change(folder / name / "report.json", copy.deepcopy(COSIM), **changes)

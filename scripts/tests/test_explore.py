@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from flow import explore, figures, hardware_cost, performance
+from flow import explore, figures, hardware_cost, results
 from flow.families import STUDY, family
 from flow.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
 from flow.tools import GENERATED_RTL, configurations, find_stereo_hls
@@ -71,7 +71,7 @@ def test_committed_results():
     committed = Family()
     assert len(committed.measured) > 10
     for name in committed.measured:
-        configuration = performance.Configuration(name, stale_is_none=True)
+        configuration = results.Configuration(name, stale_is_none=True)
         cost = committed.cost(configuration.parameters)
         assert cost.kind == MEASURED and cost.luts <= figures.lut_count(configuration.targets["ecp5"])
 

@@ -4,7 +4,7 @@
 import shutil
 
 import pytest
-from flow import features, figures, implement, manifest, performance
+from flow import features, implement, manifest, results
 from flow.families import STUDY, family
 from flow.tools import GENERATED_RTL, configurations
 from flow_commands import call
@@ -35,7 +35,7 @@ def folders(tmp_path, monkeypatch):
         entry = manifest.read(GENERATED_RTL / "tiny") | {"configuration": name}
         manifest.write(tmp_path / name, entry)
         implement.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
-    for module in (performance, implement):
+    for module in (results, implement):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
     monkeypatch.setattr(features, "OPTIONS", [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])])
     return tmp_path
@@ -47,13 +47,6 @@ def test_options_stand_beside_the_plain_core(folders):
     assert "| nothing | 384 |" in plain and "| 5,000 | - | 4,000 |" in plain
     assert "| 6,500 | +1,500 |" in check and "| 150.0 | `study_lr` |" in check
     assert unknown.count("| - ") >= 8
-
-
-def test_recursive_sums_need_a_gap_between_frames():
-    table = configurations()
-    direct, recursive = table["study_w7"], table["study_w7_recursive"]
-    assert figures.clocks_per_frame(direct) == 96 * 64
-    assert figures.clocks_per_frame(recursive) == 96 * (64 + 3)
 
 
 def test_the_page_of_a_missing_result_is_refused(folders):

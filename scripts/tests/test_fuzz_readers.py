@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from conftest import SEED
-from flow import checker, demo_folder, implement, manifest, report, vectors
+from flow import checker, cosim_record, demo_folder, implement, manifest, report, vectors
 from flow.axi import verilated
 from flow.errors import FlowError
 from flow.tools import GENERATED_RTL
@@ -32,10 +32,14 @@ MATCH = {
     "truth": {"disparity": "disparity.png", "visible": "visible.png", "tolerance_px": 1, "compared_px": 200, "bad_px": 3},
 }
 COSIM = {
-    "config": "tiny", "simulator": "ghdl", "rows": "0:8", "stall_percent": 0, "seed": 1, "passed": True, "expected": 288, "compared": 288,
+    "config": "tiny", "command": "scripts/cosim.py", "simulator": "ghdl", "rows": "0:8", "stall_percent": 0, "seed": 1, "passed": True, "expected": 288, "compared": 288,
     "mismatches": 0, "first_mismatch": None, "frames": 1, "clocks": 500, "clocks_per_frame": 384,
     "initiation_interval": {"min": 1, "avg": 1.0, "max": 1}, "latency_clocks": 15, "clocks_per_second": 1e4, "build_seconds": 1.5,
     "simulation_seconds": 0.25,
+}
+COSIM_RECORD = {
+    "format": cosim_record.FORMAT, "configuration": "tiny", "vhdl_digest": {"stereo_core.vhd": "00"},
+    "runs": {"ghdl": {"command": "scripts/cosim.py", "passed": True, "expected": 288, "compared": 288, "mismatches": 0, "frames": 1, "clocks": 500}},
 }
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -72,6 +76,12 @@ def use_implementation(folder, _):
     assert not implement.is_fresh(result, {"files": {"other.vhd": ""}})
 
 
+def use_cosim_record(folder, _):
+    runs = cosim_record.read(folder, {"files": COSIM_RECORD["vhdl_digest"]})
+    for run in runs.values():
+        assert f"{run['compared']:,} of {run['expected']:,}, {run['mismatches']:,}"  # as performance.py shows them
+
+
 def use_demo(folder, name):
     """A demo folder of which one file is the one under test."""
     for path, content in (("match/match.json", MATCH), ("cosim-ghdl/report.json", COSIM), ("cosim-verilator/report.json", COSIM)):
@@ -103,6 +113,7 @@ TEXTS = [
 OBJECTS = [
     ("manifest.json", committed("manifest.json"), use_manifest),
     ("implementation.json", committed("implementation.json"), use_implementation),
+    ("cosimulation.json", COSIM_RECORD, use_cosim_record),
     ("match.json", MATCH, use_demo),
     ("cosim.json", COSIM, use_demo),
 ]

@@ -6,7 +6,7 @@ import shutil
 
 import implementation_stand_ins as stand_ins
 import pytest
-from flow import figures, manifest, nextpnr, yosys
+from flow import manifest, nextpnr, yosys
 from flow.tools import GENERATED_RTL, ROOT
 from flow_commands import altered_rtl, call, refused
 
@@ -148,16 +148,6 @@ def test_counting():
     xilinx = yosys.area(yosys.TARGETS["xc7"], {"LUT1": 1, "LUT6": 2, "INV": 4, "RAM32M": 1, "RAM32X1D": 1, "SRL16E": 1, "SRLC32E": 1, "FDRE": 5, "FDSE": 6,
                                                "RAMB18E1": 1, "RAMB36E1": 1, "CARRY4": 9, "MUXF7": 9}, 5, False)
     assert (xilinx["luts"], xilinx["ffs"], xilinx["block_rams"]) == (15, 11, 2)
-
-
-def test_figures():
-    paper = {"width_px": 320, "height_px": 240, "disparities": 100, "pixels_per_clock": 2}
-    assert figures.clocks_per_frame(paper) == 38_400
-    assert figures.evaluations_per_clock(paper) == 200
-    speed = figures.speed(paper, 100.0, 20_000)
-    assert speed["frames_per_second"] == pytest.approx(2604.17, abs=0.01)
-    assert speed["mde_per_second"] == pytest.approx(20_000)
-    assert speed["evaluations_per_second_per_lut"] == pytest.approx(1e6)
 
 
 def test_a_path_that_cannot_be_named():

@@ -45,7 +45,7 @@ def test_nothing_of_the_tools_library_is_committed(name):
 @pytest.fixture
 def project(tmp_path, monkeypatch):
     """A copy of what the digests cover, to be changed."""
-    for pattern in ("hls/*.[hc]pp", "hls/rtl/*.vhd", "scripts/flow/rtl/*.py", "generated_rtl/*/*"):
+    for pattern in ("hls/*.[hc]pp", "hls/rtl/*.vhd", "hls_tb/vectors/*names.hpp", "scripts/flow/*.py", "scripts/flow/rtl/*.py", "generated_rtl/*/*"):
         for path in tools.ROOT.glob(pattern):
             target = tmp_path / path.relative_to(tools.ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -62,8 +62,19 @@ def test_a_changed_new_or_missing_source_makes_the_vhdl_stale(project):
     block.write_text(block.read_text().replace("255", "254", 1))
     (project / "hls" / "census_cost.hpp").write_text("#pragma once\n")
     (project / "scripts" / "flow" / "rtl" / "rules.py").unlink()
+    for path in ("scripts/flow/bambu.py", "scripts/flow/generate.py", "hls_tb/vectors/register_names.hpp"):
+        (project / path).write_text((project / path).read_text() + "\n")
     assert manifest.stale_reasons("tiny", parameters) == [
-        "hls/census_cost.hpp is new", "hls/sad_cost.hpp changed", "scripts/flow/rtl/rules.py is gone"]
+        "hls/census_cost.hpp is new", "hls/sad_cost.hpp changed", "hls_tb/vectors/register_names.hpp changed", "scripts/flow/bambu.py changed",
+        "scripts/flow/generate.py changed", "scripts/flow/rtl/rules.py is gone"]
+
+
+def test_vhdl_that_is_not_what_was_made_is_said(project):
+    parameters = tools.configuration("tiny")
+    design = project / "generated_rtl" / "tiny" / "stereo_core.vhd"
+    design.write_text(design.read_text() + "-- by hand\n")
+    (project / "generated_rtl" / "tiny" / "line_memory.vhd").unlink()
+    assert manifest.stale_reasons("tiny", parameters) == ["line_memory.vhd is missing", "stereo_core.vhd was edited"]
 
 
 def test_a_changed_row_of_the_table_makes_only_its_vhdl_stale(project):

@@ -116,7 +116,7 @@ def test_an_explanation_of_a_killed_mutant_is_reported(blind):
 
 
 def test_each_explanation_names_a_mutant_and_gives_a_reason():
-    keys = {mutant.key for path in (*mutation.core_files(), *mutation.shell_files()) for mutant in mutants.mutants_of(path)}
+    keys = {mutant.key for path in (*mutation.core_files(), *mutation.design.shell_files()) for mutant in mutants.mutants_of(path)}
     explanations = json.loads(mutation.EXPLANATIONS.read_text())
     assert set(explanations) <= keys, set(explanations) - keys
     assert all(len(reason) > 20 for reason in explanations.values())

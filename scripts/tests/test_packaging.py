@@ -58,6 +58,14 @@ def test_unknown_configuration():
     refused(call("instantiate.py", "--config", "nonsense"), 2, "no generated VHDL for 'nonsense'")
 
 
+def test_example_has_the_generics_of_its_core():
+    text = (example.FOLDER / "example_top.vhd").read_text()
+    text = text[text.index("entity work.stereo_ip"):]
+    constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", (example.FOLDER / "example_top.vhd").read_text()))
+    given = {name: int(constants.get(value, value)) for name, value in re.findall(r"(\w+) => (\w+)", text[:text.index("port map")])}
+    assert given == design.generics("tiny")
+
+
 def test_example_shows_the_right_disparities(ghdl, tmp_path):
     files = [*design.vhdl_files("tiny"), *(example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top"))]
     process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")

@@ -5,7 +5,7 @@ import json
 import shutil
 
 import pytest
-from flow import implement, manifest, performance
+from flow import implement, manifest, performance, results
 from flow.errors import FlowError
 from flow.tools import GENERATED_RTL
 from flow_commands import call, refused
@@ -20,7 +20,7 @@ def folders(tmp_path, monkeypatch):
     """A copy of generated_rtl/tiny alone, for performance.py to read."""
     shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
     (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
-    for module in (performance, implement):
+    for module in (results, implement):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
     return tmp_path
 

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from browser import look
 from conftest import need
-from flow import demo_folder, page, performance, pictures, report
+from flow import demo_folder, page, performance, pictures, report, results
 from flow.errors import FlowError
 from flow.tools import find_stereo_hls
 from flow_commands import call, scene
@@ -32,7 +32,7 @@ def fill(folder, config, truth=True):
 
 @pytest.fixture(scope="module", params=["tiny", "tiny_all", "tiny_lr_left", "tiny_subpixel", "tiny_min3"])
 def demo(request, tmp_path_factory):
-    return report.read_demo(fill(tmp_path_factory.mktemp(request.param), request.param))
+    return demo_folder.read_demo(fill(tmp_path_factory.mktemp(request.param), request.param))
 
 
 def colors(picture):
@@ -99,26 +99,26 @@ def test_truth_of_another_run_is_noticed(demo):
 
 
 def test_every_row_of_the_comparison_stands_on_the_page(tmp_path):
-    text = report.render(report.read_demo(fill(tmp_path / "demo", "tiny")))
+    text = report.render(demo_folder.read_demo(fill(tmp_path / "demo", "tiny")))
     for other in performance.PUBLISHED:
         assert other.system in text
     for system, *_ in performance.SYSTEMS:
         assert system in text
-    targets = performance.Configuration("ambrosch2007", stale_is_none=True).targets
+    targets = results.Configuration("ambrosch2007", stale_is_none=True).targets
     assert not targets or f"{targets['cyclonev']['aluts']:,}" in text
-    own = performance.Configuration("tiny", stale_is_none=True).targets
+    own = results.Configuration("tiny", stale_is_none=True).targets
     for name, result in own.items():
         assert f"--target {name}" in text and f">{result['ffs']:,}<" in text
     assert own or "not measured yet" in text
 
 
 def test_results_of_other_vhdl_are_none(tmp_path, monkeypatch):
-    demo = report.read_demo(fill(tmp_path / "demo", "tiny"))
-    monkeypatch.setattr(performance.implement, "is_fresh", lambda result, entry: False)
-    stale = performance.Configuration("tiny", stale_is_none=True)
+    demo = demo_folder.read_demo(fill(tmp_path / "demo", "tiny"))
+    monkeypatch.setattr(results.implement, "is_fresh", lambda result, entry: False)
+    stale = results.Configuration("tiny", stale_is_none=True)
     assert stale.stale and stale.targets == {}
     with pytest.raises(FlowError, match="of other VHDL"):
-        performance.Configuration("tiny")
+        results.Configuration("tiny")
     text = report.render(demo_folder.Demo(demo.folder, demo.match, demo.cosims, stale, demo.has_checks))
     assert "is of other VHDL" in text and "MHz after place and route" not in text
 
@@ -138,7 +138,7 @@ def pages(tmp_path_factory):
     need("chromium")
     folder = fill(tmp_path_factory.mktemp("a_folder_with_quite_a_long_name_that_does_not_break"), "tiny_all")
     change(folder / COSIMS[0] / "report.json", passed=False, mismatches=2, first_mismatch="clock 9, frame 0, x 3, y 1: expected disparity 2 flags 4, got disparity 1")
-    (folder / "report.html").write_text(report.render(report.read_demo(folder)))
+    (folder / "report.html").write_text(report.render(demo_folder.read_demo(folder)))
     return folder / "report.html"
 
 

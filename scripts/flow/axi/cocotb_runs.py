@@ -3,16 +3,14 @@
 
 import dataclasses
 import functools
-import hashlib
 import json
 import os
-import shutil
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from .. import vectors, venv
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from ..simulators import GHDL_STANDARD
+from ..simulators import GHDL_STANDARD, build_once
 from ..tools import ROOT, configuration, find_ghdl, run, run_with_progress
 from . import design, pool
 
@@ -53,21 +51,13 @@ class Ghdl:
         self.bin = environment_folder(say)
 
     def build(self):
-        """Does nothing when the same sources were analysed here before."""
-        key = hashlib.sha256()
-        for path in self.files:
-            key.update(Path(path).read_bytes())
-        stamp = self.work / "built"
-        if stamp.is_file() and stamp.read_text() == key.hexdigest():
-            return
-        shutil.rmtree(self.work, ignore_errors=True)
-        self.work.mkdir(parents=True)
-        run([find_ghdl(), "-a", GHDL_STANDARD, *self.files], cwd=self.work, log=self.work / "analyse.log")
-        stamp.write_text(key.hexdigest())
+        build_once(self.work, self.files, None, self._analyse)
 
-    def run(self, module, seed, out, tests=None, pairs=PAIRS, wave=None, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
-        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `wave`: a .vcd file. `pool_folder`: a
-        folder that make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
+    def _analyse(self):
+        run([find_ghdl(), "-a", GHDL_STANDARD, *self.files], cwd=self.work, log=self.work / "analyse.log")
+
+    def run(self, module, seed, out, tests=None, pairs=PAIRS, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
+        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `pool_folder`: a folder that make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
         out = Path(out).resolve()
         out.mkdir(parents=True, exist_ok=True)
         self._write_pool(out, pool_folder, pairs, seed)
@@ -87,7 +77,7 @@ class Ghdl:
             environment["TESTCASE"] = ",".join(tests)
         values = [f"-g{name}={value}" for name, value in self.generics.items()]
         command = ["env", *(f"{name}={value}" for name, value in environment.items()), find_ghdl(), "-r", GHDL_STANDARD, "stereo_ip",
-                   *values, f"--vpi={interface}", "--ieee-asserts=disable-at-0", *([f"--vcd={wave}"] if wave else [])]
+                   *values, f"--vpi={interface}", "--ieee-asserts=disable-at-0"]
         log = out / f"{module}.log"
         with log.open("w") as text:
             run_with_progress(command, lambda line: text.write(line + "\n"), watchdog_seconds, cwd=self.work)

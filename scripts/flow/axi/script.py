@@ -84,7 +84,7 @@ def starts(steps):
 
 
 def as_text(steps, seed):
-    """The file for bench.cpp: one step a line."""
+    """The file for verilator_axi_bench.cpp: one step a line."""
     lines = [f"stereo-hls stream 1 seed={seed}"]
     for kind, *values in steps:
         lines.append(f"b {values[0]:x} {values[1]}" if kind == "beat" else " ".join([kind[0] if kind != "rates" else "p", *map(str, values)]))

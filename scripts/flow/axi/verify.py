@@ -55,6 +55,12 @@ class Case:
     broken_frames: int = 0
     compared: int = 0
     clocks: int = 0
+    hangs: bool = False
+
+
+def chunks_of(frames):
+    """Numbers of the simulations that share so many frames."""
+    return range((frames + CHUNK_FRAMES - 1) // CHUNK_FRAMES)
 
 
 class Verification:
@@ -73,7 +79,7 @@ class Verification:
         observation = simulation.play([*steps, ("drain",)], seed, folder)
         verdict = judge.judge(steps, observation, geometry, frames)
         case = Case(suite, name, time.monotonic() - started, verdict.problems, verdict.exact_frames, verdict.broken_frames,
-                    verdict.compared, observation.clocks)
+                    verdict.compared, observation.clocks, observation.hangs)
         self._add(case)
         return case, observation
 
@@ -86,9 +92,8 @@ class Verification:
         simulation = verilated.Verilated(config, WORK / "verilator" / config)
         self.say(f"{suite}: building ...")
         simulation.build()
-        chunks = range((count + CHUNK_FRAMES - 1) // CHUNK_FRAMES)
         first = len(self.cases)
-        for chunk in chunks:
+        for chunk in chunks_of(count):
             if only_chunk in (None, chunk):
                 rng = random.Random(f"{self.seed} {config} {chunk}")
                 steps = script.mixture(rng, frames, geometry, min(CHUNK_FRAMES, count - chunk * CHUNK_FRAMES))
@@ -132,7 +137,8 @@ class Verification:
             for result in results:
                 self._add(Case(suite, result.name, result.seconds, [] if result.passed else [f"see {result.message}"]))
             missing = set(tests or ()) - {result.name for result in results}
-            self.cases += [Case(suite, name, problems=["did not run"]) for name in sorted(missing)]
+            for name in sorted(missing):
+                self._add(Case(suite, name, problems=["did not run"]))
             failed = sum(not result.passed for result in results)
             self.say(f"{suite}: {module}, {len(results) - failed} of {len(results)} tests passed in {sum(r.seconds for r in results):.0f} s")
 
@@ -149,7 +155,7 @@ class Verification:
         (self.out / "report.json").write_text(json.dumps(summary, indent=2) + "\n")
         self._write_junit()
         passed = not failed and self.cases
-        hangs = sum("for ever" in problem for case in self.cases for problem in case.problems)
+        hangs = sum(case.hangs for case in self.cases)
         self.say(f"{'PASS' if passed else 'FAIL'}: {sum(c.exact_frames for c in verilator)} random frames exact in Verilator, "
                  f"{len(self.cases) - len(verilator)} tests in GHDL, {sum(len(c.problems) for c in failed)} mismatches, {hangs} hangs; "
                  f"seed {self.seed}; {self.out / 'report.json'}")

@@ -1,19 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """stereo_ip in Verilator: for thousands of frames."""
 
-import hashlib
-import os
 import re
-import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from .. import vectors
+from .. import simulators, vectors
 from ..errors import EXIT_TOOL_FAILED, FlowError
-from ..simulators import to_verilog
-from ..tools import ROOT, find_verilator, run, run_with_progress
+from ..tools import ROOT, run_with_progress
 from . import design, script
 
+WATCHDOG_SECONDS = 300  # the bench says every 20,000 clocks that it goes on
 BENCH = ROOT / "hls_tb" / "axi" / "verilator_axi_bench.cpp"
 
 
@@ -30,47 +27,25 @@ class Observation:
 class Verilated:
     """One configuration, built once in its folder."""
 
-    def __init__(self, config, work, files=None, generics=None, trace=False):
+    def __init__(self, config, work, files=None):
         self.files = files or design.vhdl_files(config)
-        self.generics = generics or design.generics(config)
+        self.generics = design.generics(config)
         self.work = Path(work)
-        self.trace = trace
 
     def build(self):
-        """Does nothing when the same sources were built here before."""
-        key = hashlib.sha256(repr((self.trace, self.generics)).encode())
-        for path in [*self.files, BENCH, Path(__file__)]:
-            key.update(Path(path).read_bytes())
-        stamp = self.work / "built"
-        if stamp.is_file() and stamp.read_text() == key.hexdigest():
-            return
-        verilator = find_verilator()
-        shutil.rmtree(self.work, ignore_errors=True)
-        self.work.mkdir(parents=True)
-        verilog = self.work / "stereo_ip.v"
-        verilog.write_text(to_verilog(self.files, self.work, "stereo_ip", self.generics))
-        trace = ["--trace-fst"] if self.trace else []
-        run(
-            [verilator, "--cc", "--exe", "--build", "-j", os.cpu_count() or 1, "-O3", "--x-assign", "fast", "--output-split", "20000",
-             "-Wno-fatal", *trace, "-CFLAGS", "-O2", "--top-module", "stereo_ip", "--Mdir", self.work / "model", "-o", "bench",
-             verilog, BENCH],
-            cwd=self.work, log=self.work / "verilator.log",
-        )
-        stamp.write_text(key.hexdigest())
+        simulators.build_once(self.work, [*self.files, BENCH, Path(__file__), Path(simulators.__file__)], self.generics, self._build)
 
-    def play(self, steps, seed, out, watchdog_seconds=300, wave=None, on_clock=lambda clock: None):
-        """Plays the steps and returns the Observation. `wave`: (file, first clock, last clock)."""
+    def _build(self):
+        simulators.verilate(self.work, self.files, "stereo_ip", [BENCH], self.generics)
+
+    def play(self, steps, seed, out):
+        """Plays the steps and returns the Observation."""
         out = Path(out).resolve()
         out.mkdir(parents=True, exist_ok=True)
         stream, observed = out / "stream.txt", out / "observed.txt"
         stream.write_text(script.as_text(steps, seed))
         observed.unlink(missing_ok=True)
-
-        def on_line(line):
-            if line.startswith("progress "):
-                on_clock(int(line.split()[1]))
-
-        run_with_progress([self.work / "model" / "bench", stream, observed, *(wave or ())], on_line, watchdog_seconds, cwd=out)
+        run_with_progress([simulators.verilated_bench(self.work), stream, observed], lambda line: None, WATCHDOG_SECONDS, cwd=out)
         return read_observation(observed)
 
 

@@ -21,7 +21,7 @@ def read_trace(path):
     """
     lines = Path(path).read_text().splitlines()
     if len(lines) < 3 or not lines[0].startswith("stereo-hls trace 1 ") or f"clocks={len(lines) - 2}" not in lines[0].split():
-        raise FlowError(f"{path}: not a complete 'trace' file of format 1")
+        raise FlowError(f"{path}: not a complete 'trace' file of format 1", EXIT_TOOL_FAILED)
     rows = [[int(value, 16) for value in line.split()] for line in lines[2:]]
     return dict(zip(lines[1].split(), zip(*rows)))
 

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""generated_rtl/NAME/cosimulation.json: what the co-simulations of that VHDL gave, for the pages."""
+
+import json
+
+from . import files, json_files, manifest
+from .errors import FlowError
+from .tools import GENERATED_RTL
+
+FILE = "cosimulation.json"
+FORMAT = "stereo-hls cosimulation 1"
+_KEPT = {"command": str, "passed": bool, "expected": int, "compared": int, "mismatches": int, "frames": int, "clocks": int}
+
+
+def keep(report):
+    """Adds a report of cosim.run_job; the last one of each simulator stays."""
+    directory = GENERATED_RTL / report["config"]
+    entry = manifest.read(directory)
+    runs = read(directory, entry) | {report["simulator"]: {key: report[key] for key in _KEPT}}
+    content = {"format": FORMAT, "configuration": report["config"], "vhdl_digest": entry["files"], "runs": runs}
+    files.write(directory / FILE, json.dumps(content, indent=2, sort_keys=True) + "\n")
+
+
+def read(directory, entry):
+    """{simulator: what is kept of its report} of the VHDL that the manifest `entry` describes; those of other VHDL do not count."""
+    path = directory / FILE
+    try:
+        content = json_files.load(path)
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError) as error:
+        raise FlowError(f"damaged {path}: {getattr(error, 'strerror', None) or error}") from None
+    runs = content.get("runs") if isinstance(content, dict) and content.get("format") == FORMAT else None
+    if not isinstance(runs, dict) or not all(
+            isinstance(run, dict) and all(isinstance(run.get(key), kind) for key, kind in _KEPT.items()) for run in runs.values()):
+        raise FlowError(f"damaged {path}: not of format '{FORMAT}'")
+    return runs if content.get("vhdl_digest") == entry["files"] else {}
