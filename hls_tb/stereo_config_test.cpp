@@ -133,7 +133,8 @@ TEST(ConfigurationTable, FindsEveryNameAndNoOther) {
 #define STEREO_NAME(name) #name,
    const std::set<std::string> names{STEREO_FOR_EACH_CONFIGURATION(STEREO_NAME)};
 #undef STEREO_NAME
-   if (std::string_view(STEREO_CONFIGURATIONS) != "") GTEST_SKIP() << "SKIP: this build (STEREO_CONFIGURATIONS) has only " << STEREO_CONFIGURATIONS;
+   if (std::string_view(STEREO_CONFIGURATIONS) != "")
+      GTEST_SKIP() << "SKIP: this build (STEREO_CONFIGURATIONS) has only " << STEREO_CONFIGURATIONS;
    EXPECT_EQ(configuration_table().size(), names.size()) << "a name stands there twice";
    for (const std::string& name : names) EXPECT_NE(find_configuration(name), nullptr) << name;
 }

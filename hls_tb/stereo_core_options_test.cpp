@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "support/map_compare.hpp"
+#include "support/reference_map.hpp"
 #include "support/seed.hpp"
 #include "support/test_pairs.hpp"
 #include "vectors/configuration_table.hpp"
@@ -21,10 +22,6 @@ INSTANTIATE_TEST_SUITE_P(Named, StereoCoreOptionsTest, ::testing::Range(std::siz
                          [](const auto& test) { return configuration_table()[test.param].name; });
 
 bool is_small(const StereoConfig& config) { return config.width_px <= 100; }
-
-DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
-   return match_reference(pair.left, pair.right, matching_parameters(config));
-}
 
 /// Of a large configuration only the scene.
 std::vector<NamedPair> pairs_for(const StereoConfig& config) {
@@ -50,7 +47,7 @@ TEST_P(StereoCoreOptionsTest, EqualsTheReference) {
    const StereoConfig& config = core().config;
    const std::vector<NamedPair> pairs = pairs_for(config);
    std::vector<DisparityMap> expected;
-   for (const NamedPair& pair : pairs) expected.push_back(reference(pair.images, config));
+   for (const NamedPair& pair : pairs) expected.push_back(reference_map(pair.images, config));
    std::ptrdiff_t valid = 0, invalid = 0;
    for (std::size_t i = 0; i < pairs.size(); ++i)
       for (const std::size_t frames : {1u, 2u})

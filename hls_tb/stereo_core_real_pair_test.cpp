@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole core and the reference on a picture of the world.
 #include <cstdlib>
-#include <filesystem>
 
 #include "app/images.hpp"
 #include "support/expect_reference.hpp"
+#include "support/teddy.hpp"
 
 namespace stereo::test {
 namespace {
@@ -21,18 +21,15 @@ GrayImage top_rows(GrayImage image, int height) {
 }
 
 TEST(StereoCore, EqualsTheReferenceOnARealPair) {
-   const char* const data = std::getenv("STEREO_DATA");
-   const std::filesystem::path folder =
-       std::filesystem::path(data != nullptr ? data : STEREO_SOURCE_DIR "/../shared/data/stereo") / "teddy";
-   if (!std::filesystem::exists(folder / "left.png"))
-      GTEST_SKIP() << "SKIP: the stereo pair teddy is missing; set STEREO_DATA to the folder that holds teddy/left.png";
+   const std::filesystem::path folder = teddy_folder();
+   if (folder.empty()) GTEST_SKIP() << kNoTeddy;
    const ImagePair pair = app::load_pair(folder / "left.png", folder / "right.png");
    expect_reference<kTeddy>(pair);
    expect_reference<kTeddyTop>({top_rows(pair.left, kTeddyTop.height_px), top_rows(pair.right, kTeddyTop.height_px)});
 
    // The truth, four times the disparity and 0 where unknown: most pixels must be right within one.
    const GrayImage truth = app::load_gray(folder / "disp_right_x4.pgm");
-   const DisparityMap map = match_reference(pair.left, pair.right, matching_parameters(kTeddy));
+   const DisparityMap map = reference_map(pair, kTeddy);
    int known = 0, good = 0;
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {

@@ -2,17 +2,13 @@
 // The core as a stream: frames after frames, cut frames, bubbles and clocks.
 #include "models/random.hpp"
 #include "support/map_compare.hpp"
+#include "support/reference_map.hpp"
 #include "support/seed.hpp"
 #include "support/small_cores.hpp"
 #include "support/test_pairs.hpp"
-#include "vectors/matching_parameters.hpp"
 
 namespace stereo::test {
 namespace {
-
-DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
-   return match_reference(pair.left, pair.right, matching_parameters(config));
-}
 
 /// Random pairs of few grey values, so that ties are frequent.
 std::vector<ImagePair> some_pairs(const StereoConfig& config, int count) {
@@ -67,7 +63,7 @@ TEST_P(StereoCoreStreamTest, FramesOneBehindTheOtherEqualFramesAlone) {
          const auto maps = collect_frames(run(stream), config());
          ASSERT_EQ(maps.size(), std::size_t(frames));
          for (std::size_t i = 0; i < maps.size(); ++i)
-            EXPECT_TRUE(same_map(reference(pairs[i], config()), maps[i]))
+            EXPECT_TRUE(same_map(reference_map(pairs[i], config()), maps[i]))
                 << "frame " << i << ", " << stall_percent << " % stalls";
       }
 }
@@ -94,7 +90,7 @@ TEST_P(StereoCoreStreamTest, AStartOfFrameRestartsAtAnyPlace) {
    const std::vector<ImagePair> pairs = some_pairs(config(), 3);
    StimulusWriter whole = writer();
    send(whole, pairs[1]);
-   const DisparityMap expected = reference(pairs[2], config());
+   const DisparityMap expected = reference_map(pairs[2], config());
    Random random(test_seed());
    for (int round = 0; round < 40; ++round) {
       const bool follows_a_frame = random.percent(50);

@@ -3,7 +3,7 @@ include(GoogleTest)
 
 add_library(stereo_test_support STATIC support/map_compare.cpp support/test_main.cpp support/test_pairs.cpp)
 target_compile_definitions(stereo_test_support PUBLIC STEREO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-target_link_libraries(stereo_test_support PUBLIC stereo_images GTest::gtest PRIVATE stereo_strict_warnings)
+target_link_libraries(stereo_test_support PUBLIC stereo_app GTest::gtest PRIVATE stereo_strict_warnings)
 
 add_executable(
   stereo_tests
@@ -43,7 +43,8 @@ target_compile_definitions(stereo_tests PRIVATE "STEREO_CONFIGURATIONS=\"${STERE
 target_link_libraries(stereo_tests PRIVATE stereo_configurations stereo_test_support stereo_warnings)
 gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit TIMEOUT 600)
 
-# The models alone: they build in a fraction of the core's time.
+# All that needs no core: the models, the program's parts, the kept cases of fuzzing. It builds in a fraction of the
+# cores' time.
 add_executable(
   stereo_model_tests
   app/child_process_test.cpp

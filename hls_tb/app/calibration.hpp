@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <opencv2/core/mat.hpp>
-#include <optional>
 #include <string>
 
 namespace stereo::app {
@@ -16,9 +15,9 @@ struct Calibration {
    cv::Mat p1, p2, q;       ///< 3x4, 3x4, 4x4: of the rectified pair
 };
 
-/// Reads a YAML, XML or JSON file of OpenCV's and, where the name is not empty, a second one with what the first one
-/// lacks. Throws InputError with one sentence on files that cannot be read and matrices of a wrong shape or with values
-/// that are not finite, and on files that take longer than `limit`; a good one takes some milliseconds.
+/// Reads a YAML, XML or JSON file of OpenCV's and, where the name is not empty, a second one, whose matrices replace
+/// those of the first. Throws InputError with one sentence on files that cannot be read and matrices of a wrong shape
+/// or with values that are not finite, and on files that take longer than `limit`; a good one takes some milliseconds.
 Calibration load_calibration(const std::string& path, const std::string& extrinsics_path,
                              std::chrono::milliseconds limit = std::chrono::seconds(5));
 
@@ -32,7 +31,8 @@ struct RectifiedGeometry {
 
 /// Of images that are rectified already: from Q, else from P1 and P2, else from M1, M2 and T. Throws InputError.
 RectifiedGeometry rectified_geometry(const Calibration& calibration);
-/// Throws InputError unless Q is that of a rectified pair whose rows agree and whose right camera stands to the right.
+/// Of a pair whose rows agree, which Q does not say. Throws InputError unless Q has a focal length and a baseline and
+/// its right camera stands to the right.
 RectifiedGeometry geometry_of_q(const cv::Mat& q);
 
 }  // namespace stereo::app

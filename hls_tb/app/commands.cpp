@@ -7,8 +7,12 @@
 #include <sstream>
 
 #include "app/errors.hpp"
+#include "app/images.hpp"
+#include "app/named_matching.hpp"
 #include "app/options_json.hpp"
 #include "app/output_folder.hpp"
+#include "app/pair_options.hpp"
+#include "models/scene.hpp"
 #include "vectors/matching_parameters.hpp"
 #include "vectors/vector_files.hpp"
 
@@ -53,15 +57,10 @@ nlohmann::json as_json(const Configuration& entry) {
    return json;
 }
 
-}  // namespace
-
-const Configuration& require_configuration(const std::string& name) {
-   const Configuration* const found = find_configuration(name);
-   if (found != nullptr) return *found;
-   std::string known;
-   for (const Configuration& entry : configuration_table()) known += (known.empty() ? "" : ", ") + entry.name;
-   throw InputError("--config " + name + ": there is no such configuration; known are: " + known);
-}
+struct SceneArguments {
+   std::string config, out;  ///< an empty config leaves the size to `options`
+   SceneOptions options;
+};
 
 void scene(const SceneArguments& arguments) {
    SceneOptions options = arguments.options;
@@ -82,6 +81,13 @@ void scene(const SceneArguments& arguments) {
    out.commit();
 }
 
+struct VectorsArguments {
+   std::string config, left, right, out;
+   std::string rows;  ///< "A:B"; empty for all
+   Fit fit = Fit::none;
+   StimulusOptions options;
+};
+
 void vectors(const VectorsArguments& arguments) {
    const Configuration& configuration = require_configuration(arguments.config);
    const StereoConfig& config = configuration.config;
@@ -98,6 +104,11 @@ void vectors(const VectorsArguments& arguments) {
    std::cout << stimulus.clocks.size() << " clocks, " << expected.outputs.size() << " outputs\n";
    out.commit();
 }
+
+struct TraceArguments {
+   std::string config, out;
+   int clocks = 1000;
+};
 
 void trace(const TraceArguments& arguments) {
    constexpr int kStallPercent = 20;
@@ -124,10 +135,67 @@ void list_configurations(bool as_json_text) {
       return;
    }
    for (const Configuration& entry : configuration_table())
-      std::cout << entry.name << ": " << entry.config.width_px << 'x' << entry.config.height_px << ", "
-                << entry.config.disparities << " disparities, window " << entry.config.window_px << 'x'
-                << entry.config.window_px << ", output " << entry.config.output_width_px() << 'x'
-                << entry.config.output_height_px() << ", latency " << entry.latency_clocks << " clocks\n";
+      std::cout << entry.name << ": " << size_text(entry.config.width_px, entry.config.height_px) << ", "
+                << entry.config.disparities << " disparities, window "
+                << size_text(entry.config.window_px, entry.config.window_px) << ", output "
+                << size_text(entry.config.output_width_px(), entry.config.output_height_px()) << ", latency "
+                << entry.latency_clocks << " clocks\n";
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app) {
+   static SceneArguments arguments;
+   SceneOptions& options = arguments.options;
+   CLI::App* command = app.add_subcommand("scene", "make a stereo pair with ground truth: left.png, right.png, ...");
+   command->add_option("--out", arguments.out, "folder for the results")->required();
+   command->add_option("--seed", options.seed, "another number, another scene")
+       ->required()
+       ->check(CLI::NonNegativeNumber);
+   CLI::Option* config = command->add_option("--config", arguments.config, "take the size from this configuration");
+   command->add_option("--width", options.width, "image width")->capture_default_str()->excludes(config);
+   command->add_option("--height", options.height, "image height")->capture_default_str()->excludes(config);
+   command->add_option("--disparities", options.disparities, "disparity range")
+       ->capture_default_str()
+       ->excludes(config);
+   command->add_option("--noise", options.noise, "sensor noise in grey levels")->capture_default_str();
+   command->callback([] { scene(arguments); });
+}
+
+void add_vectors(CLI::App& app) {
+   static VectorsArguments arguments;
+   StimulusOptions& options = arguments.options;
+   CLI::App* command = app.add_subcommand("vectors", "make test vectors for the hardware: stimulus.txt, expected.txt");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the results")->required();
+   command->add_option("--rows", arguments.rows, "send only image rows A:B, B excluded");
+   command->add_option("--frames", options.frames, "frames back to back, odd ones upside down")
+       ->check(CLI::Range(1, 1000))
+       ->capture_default_str();
+   command->add_option("--stall-percent", options.stall_percent, "chance of a bubble before a pixel pair")
+       ->check(CLI::Range(0, 95))
+       ->capture_default_str();
+   command->add_option("--seed", options.seed, "of the bubbles and flush rows")
+       ->capture_default_str()
+       ->check(CLI::NonNegativeNumber);
+   add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
+   command->callback([] { vectors(arguments); });
+}
+
+void add_trace(CLI::App& app) {
+   static TraceArguments arguments;
+   CLI::App* command = app.add_subcommand("trace", "trace all registers of the clocked core: trace.txt");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the result")->required();
+   command->add_option("--clocks", arguments.clocks, "length")->check(CLI::Range(10, 1000000))->capture_default_str();
+   command->callback([] { trace(arguments); });
+}
+
+void add_configurations(CLI::App& app) {
+   static bool as_json = false;
+   CLI::App* command = app.add_subcommand("configurations", "list the hardware configurations");
+   command->add_flag("--json", as_json, "as JSON, for scripts");
+   command->callback([] { list_configurations(as_json); });
 }
 
 }  // namespace stereo::app

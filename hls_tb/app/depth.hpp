@@ -28,7 +28,7 @@ inline constexpr int kLargestDepthMm = 65535;
 cv::Mat depth_image(const std::vector<Point>& points, int width_px, int height_px);
 
 /// A point cloud as PLY, binary little endian: x, y, z in metres and red, green, blue of each point that is known.
-/// `colors`: 8 bits, 1 or 3 channels (blue first), of the reference image.
+/// `colors`: the reference image, 8 bits, 1, 3 or 4 channels (blue first; the fourth is ignored).
 std::string encode_ply(const std::vector<Point>& points, const cv::Mat& colors);
 
 }  // namespace stereo::app

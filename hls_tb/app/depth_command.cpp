@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <sstream>
 
@@ -17,6 +16,7 @@
 #include "app/overview.hpp"
 #include "app/positive_number.hpp"
 #include "app/rectification.hpp"
+#include "app/timed.hpp"
 #include "app/vertical_offset.hpp"
 
 namespace stereo::app {
@@ -40,7 +40,7 @@ struct PreparedPair {
 PreparedPair prepare(const Arguments& arguments) {
    const Calibration calibration = load_calibration(arguments.calibration, arguments.extrinsics);
    PreparedPair pair{read_8_bit_image(arguments.left), read_8_bit_image(arguments.right), {}};
-   require_same_size(arguments.left, pair.left.cols, pair.left.rows, arguments.right, pair.right.cols, pair.right.rows);
+   require_same_size<InputError>(arguments.left, pair.left.size(), arguments.right, pair.right.size());
    if (arguments.rectified) {
       pair.geometry = rectified_geometry(calibration);
       return pair;
@@ -102,9 +102,8 @@ void depth(const Arguments& arguments) {
    const PreparedPair pair = prepare(arguments);
    const ImagePair gray = pair.gray();
    std::cout << rectification_warning(gray);
-   const auto start = std::chrono::steady_clock::now();
-   const DisparityMap map = match_named(arguments.config, gray, parameters);
-   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+   double milliseconds = 0;
+   const DisparityMap map = timed(milliseconds, [&] { return match_named(arguments.config, gray, parameters); });
    const std::vector<Point> points = points_of(at_image_size(map, parameters, gray.left.width), parameters.reference,
                                                pair.geometry, arguments.unit_mm / 1000);
    const cv::Mat image = depth_image(points, gray.left.width, gray.left.height);
@@ -114,12 +113,11 @@ void depth(const Arguments& arguments) {
    out.add("depth.png", encode(image));
    out.add("cloud.ply", encode_ply(points, parameters.reference == Reference::left ? pair.left : pair.right));
    out.add("preview.png", encode_overview_png(gray, map, parameters));
-   if (!arguments.rectified) {
-      out.add("left.png", encode(pair.left));
-      out.add("right.png", encode(pair.right));
+   for (const auto& [name, rectified] : {std::pair{"left.png", pair.left}, {"right.png", pair.right}}) {
+      if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
+      else out.add(name, encode(rectified));
    }
-   const nlohmann::json json = facts(arguments, pair, parameters, depths, time.count());
-   out.add("depth.json", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+   out.add_json("depth.json", facts(arguments, pair, parameters, depths, milliseconds));
    std::cout << summary(pair, pair.geometry.baseline * arguments.unit_mm, depths);
    out.commit();
 }

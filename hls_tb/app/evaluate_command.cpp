@@ -2,7 +2,6 @@
 #include "app/evaluate_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "app/options_json.hpp"
 #include "app/output_folder.hpp"
 #include "app/positive_number.hpp"
+#include "app/timed.hpp"
 
 namespace stereo::app {
 namespace {
@@ -42,8 +42,7 @@ struct GroundTruth {
 
 void require_size(const DisparityImage& image, const GrayImage& wanted, const std::string& what) {
    if (!image.same_size(wanted))
-      throw InputError(what + ": is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                       " but the images are " + std::to_string(wanted.width) + "x" + std::to_string(wanted.height));
+      throw InputError(what + ": is " + size_text(image) + " but the images are " + size_text(wanted));
 }
 
 std::optional<DisparityImage> load_truth(const std::string& option, const std::string& path, double scale,
@@ -80,19 +79,10 @@ void score(EvaluatedMethod& method, const DisparityImage& found, const GroundTru
    }
 }
 
-/// Runs `match` and sets how long it took.
-template <class Match>
-auto timed(EvaluatedMethod& method, Match match) {
-   const auto start = std::chrono::steady_clock::now();
-   auto result = match();
-   method.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-   return result;
-}
-
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
    const MatchingParameters parameters = named_parameters(name, arguments.settings);
    EvaluatedMethod method{name, "core", parameters.reference, options_json(parameters), 0, {}};
-   const DisparityMap map = timed(method, [&] { return match_named(name, truth.pair, parameters); });
+   const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.pair, parameters); });
    score(method, at_image_size(map, parameters, truth.pair.left.width), truth);
    return method;
 }
@@ -103,7 +93,7 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
-   score(method, timed(method, [&] { return match_opencv(truth.pair, matcher); }), truth);
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher); }), truth);
    return method;
 }
 
@@ -111,12 +101,8 @@ EvaluatedMethod evaluate_file(const std::string& path, const std::string& refere
                               const GroundTruth& truth) {
    const DisparityImage found = load_disparities("--disparity", path, arguments.disparity_scale);
    require_size(found, truth.pair.left, "--disparity " + path);
-   EvaluatedMethod method{path,
-                          "file",
-                          reference == "left" ? Reference::left : Reference::right,
-                          {{"scale", arguments.disparity_scale}},
-                          kNoDisparity,
-                          {}};
+   EvaluatedMethod method{path,         "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}},
+                          kNoDisparity, {}};
    score(method, found, truth);
    return method;
 }
@@ -124,7 +110,7 @@ EvaluatedMethod evaluate_file(const std::string& path, const std::string& refere
 void write_json(const std::string& path, const nlohmann::json& json) {
    const std::filesystem::path file(path);
    OutputFolder out(file.parent_path().empty() ? "." : file.parent_path().string(), "--json");
-   out.add(file.filename().string(), json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+   out.add_json(file.filename().string(), json);
    out.commit();
 }
 
@@ -170,7 +156,7 @@ void add_methods(CLI::App& command, Arguments& arguments) {
        ->allow_extra_args(false);
    command.add_option("--reference", arguments.references, "left or right, one for each --disparity")
        ->allow_extra_args(false)
-       ->check(CLI::IsMember({"left", "right"}));
+       ->check(CLI::IsMember(&reference_words()));
    command.add_option("--disparity-scale", arguments.disparity_scale, "as --truth-scale, for --disparity")
        ->check(check_positive_number)
        ->capture_default_str();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kBadNames[] = {"bad_0_5", "bad_1", "bad_2", "bad_4"};
 constexpr const char* kBadTitles[] = {"bad 0.5", "bad 1", "bad 2", "bad 4"};
-constexpr const char* kMaskNames[] = {"all", "non_occluded", "discontinuity", "textureless"};
+static_assert(std::size(kBadNames) == kBadThresholds.size() && std::size(kBadTitles) == kBadThresholds.size());
 constexpr int kColumn = 9;  ///< characters
 
 nlohmann::json known(double value) { return std::isnan(value) ? nlohmann::json() : nlohmann::json(value); }
@@ -105,7 +105,7 @@ nlohmann::json evaluation_json(const Evaluation& evaluation) {
 
 std::string evaluation_text(const Evaluation& evaluation) {
    std::ostringstream out;
-   out << std::fixed << evaluation.width_px << 'x' << evaluation.height_px << ", a border of " << evaluation.border_px
+   out << std::fixed << size_text(evaluation.width_px, evaluation.height_px) << ", a border of " << evaluation.border_px
        << " px does not count\n";
    for (const EvaluatedMethod& method : evaluation.methods) {
       out << std::left << std::setw(int(name_width(evaluation)) + 2) << "  " + method.name << std::right << "reference "

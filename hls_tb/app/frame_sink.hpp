@@ -17,7 +17,7 @@ class FrameSink {
 };
 
 /// A Motion JPEG video where the path ends with .avi, else a folder of frame_000000.png, frame_000001.png ...
-/// Throws InputError, which names --out, when it cannot be made.
+/// Throws InputError, which names --out, when it cannot be made or the path ends as another kind of video does.
 std::unique_ptr<FrameSink> make_frame_sink(const std::string& path, double frames_per_second, cv::Size size);
 
 }  // namespace stereo::app

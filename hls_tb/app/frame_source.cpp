@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/errors.hpp"
+#include "app/file_ending.hpp"
 #include "app/frame_size.hpp"
 #include "app/opencv_images.hpp"
 #include "app/video_files.hpp"
@@ -22,7 +23,7 @@ class FolderSource : public FrameSource {
   public:
    FolderSource(const std::string& option, const std::string& path) {
       for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-         const std::string ending = entry.path().extension().string();
+         const std::string ending = lower_ending(entry.path());
          const bool is_image = std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
          if (is_image && entry.is_regular_file()) paths_.push_back(entry.path().string());
       }
@@ -76,9 +77,7 @@ FramePair PairSource::next() {
    if (pair.left.empty() != pair.right.empty())
       throw InputError("--" + std::string(pair.left.empty() ? "left" : "right") + ": ends after " +
                        std::to_string(taken_) + " frames but the other camera has more; give as many of each");
-   if (pair.left.size() != pair.right.size())
-      throw InputError("the frames differ in size: --left is " + size_text(pair.left) + ", --right is " +
-                       size_text(pair.right) + "; give a rectified pair of one size");
+   require_same_size<InputError>("--left", pair.left.size(), "--right", pair.right.size());
    ++taken_;
    return pair;
 }

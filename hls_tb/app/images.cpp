@@ -15,15 +15,6 @@
 namespace stereo::app {
 namespace {
 
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-std::string size_text(const GrayImage& image) { return size_text(image.width, image.height); }
-
-GrayImage from_mat(const cv::Mat& mat) {
-   GrayImage image(mat.cols, mat.rows);
-   mat.copyTo(as_mat(image));
-   return image;
-}
-
 GrayImage cropped(const GrayImage& image, int width, int height) {
    GrayImage result(width, height);
    const int x = (image.width - width) / 2, y = (image.height - height) / 2;
@@ -49,6 +40,12 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 }  // namespace
 
 cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
+
+GrayImage from_mat(const cv::Mat& mat) {
+   GrayImage image(mat.cols, mat.rows);
+   mat.copyTo(as_mat(image));
+   return image;
+}
 
 cv::Mat read_image(const std::string& path, const std::string& name) {
    if (!std::filesystem::exists(path)) throw InputError(name + ": there is no such file");
@@ -103,16 +100,9 @@ GrayImage load_gray(const std::string& path) {
    return gray_of_any(mat);
 }
 
-void require_same_size(const std::string& left, int left_width, int left_height, const std::string& right,
-                       int right_width, int right_height) {
-   if (left_width != right_width || left_height != right_height)
-      throw InputError("the images differ in size: " + left + " is " + size_text(left_width, left_height) + ", " +
-                       right + " is " + size_text(right_width, right_height) + "; give a pair of one size");
-}
-
 ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
    ImagePair pair{load_gray(left_path), load_gray(right_path)};
-   require_same_size(left_path, pair.left.width, pair.left.height, right_path, pair.right.width, pair.right.height);
+   require_same_size<InputError>(left_path, pair.left, right_path, pair.right);
    return pair;
 }
 

@@ -2,7 +2,6 @@
 // Image files in and out. OpenCV does it, and only inside.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "models/disparity_map.hpp"
@@ -12,10 +11,6 @@ namespace stereo::app {
 
 /// An 8-bit grey image; a colour image is converted, and stdout says so. Throws InputError.
 GrayImage load_gray(const std::string& path);
-
-/// Throws InputError with one sentence that names both unless the sizes are the same.
-void require_same_size(const std::string& left, int left_width, int left_height, const std::string& right,
-                       int right_width, int right_height);
 
 /// Two images of the same size. Throws InputError.
 ImagePair load_pair(const std::string& left_path, const std::string& right_path);

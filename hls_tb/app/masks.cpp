@@ -9,12 +9,6 @@
 namespace stereo::app {
 namespace {
 
-GrayImage image_of(const cv::Mat& mask) {
-   GrayImage image(mask.cols, mask.rows);
-   mask.copyTo(as_mat(image));
-   return image;
-}
-
 /// The truth, with `unknown` where there is none.
 cv::Mat_<float> filled(const DisparityImage& truth, float unknown) {
    cv::Mat_<float> mat(truth.height, truth.width);
@@ -69,7 +63,7 @@ GrayImage discontinuity_mask(const DisparityImage& truth) {
          mask.at<uint8_t>(y, x) = step ? 255 : 0;
       }
    cv::dilate(mask, mask, square(kDiscontinuityWidth));
-   return image_of(mask);
+   return from_mat(mask);
 }
 
 GrayImage textureless_mask(const GrayImage& image) {
@@ -78,18 +72,19 @@ GrayImage textureless_mask(const GrayImage& image) {
    cv::Sobel(as_mat(copy), gradient, CV_32F, 1, 0, 3);
    gradient /= 8;
    cv::boxFilter(gradient.mul(gradient), mean, CV_32F, {kTexturelessWidth, kTexturelessWidth});
-   return image_of(mean < kTexturelessThreshold);
+   return from_mat(mean < kTexturelessThreshold);
 }
 
 std::vector<NamedMask> evaluation_masks(const GrayImage& image, const DisparityImage& truth,
                                         const DisparityImage* other, Reference side, int border_px) {
    const GrayImage all = known_inside(truth, border_px);
-   if (other == nullptr) return {{"all", all}};
+   const auto [all_name, visible_name, discontinuity_name, textureless_name] = kMaskNames;
+   if (other == nullptr) return {{all_name, all}};
    const GrayImage visible = both(non_occluded_mask(truth, *other, side), all);
-   return {{"all", all},
-           {"non_occluded", visible},
-           {"discontinuity", both(discontinuity_mask(truth), visible)},
-           {"textureless", both(textureless_mask(image), visible)}};
+   return {{all_name, all},
+           {visible_name, visible},
+           {discontinuity_name, both(discontinuity_mask(truth), visible)},
+           {textureless_name, both(textureless_mask(image), visible)}};
 }
 
 }  // namespace stereo::app

@@ -5,6 +5,7 @@
 // computeTextureBasedMasks, getBorderedMask and calcErrors.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,11 @@ GrayImage discontinuity_mask(const DisparityImage& truth);
 /// Where the squared horizontal gradient (Sobel/8), averaged over kTexturelessWidth^2, is below kTexturelessThreshold.
 GrayImage textureless_mask(const GrayImage& image);
 
+/// In the order of tables.
+inline constexpr std::array<const char*, 4> kMaskNames{"all", "non_occluded", "discontinuity", "textureless"};
+
 struct NamedMask {
-   std::string name;  ///< all, non_occluded, discontinuity or textureless
+   std::string name;  ///< one of kMaskNames
    GrayImage mask;
 };
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/match_command.hpp"
+
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/commands.hpp"
 #include "app/errors.hpp"
+#include "app/images.hpp"
+#include "app/named_matching.hpp"
 #include "app/options_json.hpp"
 #include "app/output_folder.hpp"
 #include "app/overview.hpp"
+#include "app/pair_options.hpp"
+#include "app/timed.hpp"
 #include "app/truth.hpp"
 #include "app/vertical_offset.hpp"
 #include "models/fast_model.hpp"
@@ -19,15 +23,24 @@
 namespace stereo::app {
 namespace {
 
+enum class Engine { fast, clocked };
+
+struct Arguments {
+   std::string config, left, right, out;
+   std::string truth, visible;  ///< the reference image's true disparities and what counts of them; both or none
+   Engine engine = Engine::fast;
+   Fit fit = Fit::none;
+};
+
 /// The pair at the size that is matched.
-ImagePair load_pair_to_match(const MatchArguments& arguments, const Configuration& configuration) {
+ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& configuration) {
    const StereoConfig& config = configuration.config;
    ImagePair pair = load_pair(arguments.left, arguments.right);
    if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
       pair = fit_pair(std::move(pair), config.width_px, config.height_px, arguments.fit);
    else if (pair.left.width != config.width_px || pair.left.height != config.height_px)
-      std::cout << "the images are " << pair.left.width << 'x' << pair.left.height << ", not the " << config.width_px
-                << 'x' << config.height_px << " of " << configuration.name
+      std::cout << "the images are " << size_text(pair.left) << ", not the "
+                << size_text(config.width_px, config.height_px) << " of " << configuration.name
                 << ": its options are applied to the whole images\n";
    if (map_width(pair.left.width, matching_parameters(config)) < 1)
       throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
@@ -37,14 +50,13 @@ ImagePair load_pair_to_match(const MatchArguments& arguments, const Configuratio
    return pair;
 }
 
-TruthScore load_and_score(const MatchArguments& arguments, const DisparityMap& map,
-                          const MatchingParameters& parameters, const GrayImage& reference) {
+TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, const MatchingParameters& parameters,
+                          const GrayImage& reference) {
    const GrayImage truth = load_gray(arguments.truth), visible = load_gray(arguments.visible);
    const auto require_size = [&](const std::string& option, const GrayImage& image) {
       if (!image.same_size(reference))
-         throw InputError(option + ": the image is " + std::to_string(image.width) + "x" +
-                          std::to_string(image.height) + " but the matched " + word_of(parameters.reference) +
-                          " image is " + std::to_string(reference.width) + "x" + std::to_string(reference.height));
+         throw InputError(option + ": the image is " + size_text(image) + " but the matched " +
+                          word_of(parameters.reference) + " image is " + size_text(reference));
    };
    require_size("--truth " + arguments.truth, truth);
    require_size("--visible " + arguments.visible, visible);
@@ -73,7 +85,7 @@ struct Facts {
    std::ostringstream text;
 };
 
-void add_matching(Facts& facts, const MatchArguments& arguments, const DisparityMap& map,
+void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& map,
                   const MatchingParameters& parameters, const ImagePair& pair, double milliseconds) {
    const bool fast = arguments.engine == Engine::fast;
    facts.json = options_json(parameters);
@@ -91,14 +103,14 @@ void add_matching(Facts& facts, const MatchArguments& arguments, const Disparity
                       {"disparity_steps_per_px", map.steps_per_pixel()},
                       {"density", density(map)},
                       {"milliseconds", milliseconds}});
-   facts.text << pair.left.width << 'x' << pair.left.height << ", " << parameters.disparities << " disparities, window "
-              << parameters.window_px << 'x' << parameters.window_px << " -> " << map.width << 'x' << map.height << ", "
+   facts.text << size_text(pair.left) << ", " << parameters.disparities << " disparities, window "
+              << size_text(parameters.window_px, parameters.window_px) << " -> " << size_text(map) << ", "
               << (fast ? "fast model" : "clocked core") << ", " << std::fixed << std::setprecision(2) << milliseconds
               << " ms\n";
    if (parameters.has_check()) facts.text << "valid pixels: " << 100 * density(map) << " %\n";
 }
 
-void add_truth(Facts& facts, const MatchArguments& arguments, const TruthScore& truth) {
+void add_truth(Facts& facts, const Arguments& arguments, const TruthScore& truth) {
    facts.json["truth"] = {
        {"disparity", arguments.truth},  {"visible", arguments.visible}, {"tolerance_px", kBadPixelTolerance},
        {"compared_px", truth.compared}, {"bad_px", truth.bad},          {"invalid_px", truth.invalid}};
@@ -108,20 +120,19 @@ void add_truth(Facts& facts, const MatchArguments& arguments, const TruthScore& 
    facts.text << '\n';
 }
 
-}  // namespace
-
-void match(const MatchArguments& arguments) {
+void match(const Arguments& arguments) {
    const Configuration& configuration = require_configuration(arguments.config);
    const MatchingParameters parameters = matching_parameters(configuration.config);
    const ImagePair pair = load_pair_to_match(arguments, configuration);
    std::cout << rectification_warning(pair);
-   const auto start = std::chrono::steady_clock::now();
-   const DisparityMap map = arguments.engine == Engine::fast ? match_fast(pair.left, pair.right, parameters)
-                                                             : match_clocked(pair, configuration);
-   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+   double milliseconds = 0;
+   const DisparityMap map = timed(milliseconds, [&] {
+      return arguments.engine == Engine::fast ? match_fast(pair.left, pair.right, parameters)
+                                              : match_clocked(pair, configuration);
+   });
 
    Facts facts;
-   add_matching(facts, arguments, map, parameters, pair, time.count());
+   add_matching(facts, arguments, map, parameters, pair, milliseconds);
    const GrayImage& reference = parameters.reference == Reference::left ? pair.left : pair.right;
    if (!arguments.truth.empty()) add_truth(facts, arguments, load_and_score(arguments, map, parameters, reference));
 
@@ -129,11 +140,28 @@ void match(const MatchArguments& arguments) {
    out.add("disparity.png", encode_png(map));
    out.add("disparity_color.png", encode_color_png(map, parameters.disparities));
    if (parameters.has_check()) out.add("valid.png", encode_valid_png(map));
+   else out.leave_out("valid.png", {arguments.left, arguments.right, arguments.truth, arguments.visible});
    out.add("overview.png", encode_overview_png(pair, map, parameters));
-   // A path may hold bytes that are no UTF-8.
-   out.add("match.json", facts.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+   out.add_json("match.json", facts.json);
    std::cout << facts.text.str();
    out.commit();
+}
+
+}  // namespace
+
+void add_match(CLI::App& app) {
+   static Arguments arguments;
+   static const std::map<std::string, Engine> kEngines{{"fast", Engine::fast}, {"clocked", Engine::clocked}};
+   CLI::App* command = app.add_subcommand("match", "make a disparity map: disparity.png, overview.png, match.json ...");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the results")->required();
+   add_choice(*command, "--engine", arguments.engine, kEngines,
+              "fast (default): the software model, any size; clocked: the hardware's C++");
+   add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
+   CLI::Option* truth =
+       command->add_option("--truth", arguments.truth, "true disparities of the reference image: count bad pixels");
+   truth->needs(command->add_option("--visible", arguments.visible, "pixels that count: not 0")->needs(truth));
+   command->callback([] { match(arguments); });
 }
 
 }  // namespace stereo::app

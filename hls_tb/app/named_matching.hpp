@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What commands with --config and --set share: a named configuration's options, and the fast model with them.
+// What commands with --config and --set share: a named configuration, its options, and the fast model with them.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "app/disparity_image.hpp"
+#include "vectors/configuration_table.hpp"
 
 namespace stereo::app {
+
+/// Throws InputError with the list of the known ones.
+const Configuration& require_configuration(const std::string& name);
 
 /// The options of a named configuration with some of them set ("window_px=9"). Throws InputError.
 MatchingParameters named_parameters(const std::string& config, const std::vector<std::string>& settings);

@@ -23,12 +23,10 @@ cv::Ptr<cv::StereoMatcher> create(const OpenCvMatcher& matcher) {
 
 nlohmann::json parameters_json(const OpenCvMatcher& matcher) {
    const cv::Ptr<cv::StereoMatcher> made = create(matcher);
-   nlohmann::json json{{"disparities", made->getNumDisparities()},
-                       {"block_px", made->getBlockSize()},
-                       {"min_disparity", made->getMinDisparity()},
-                       {"disp12_max_diff", made->getDisp12MaxDiff()},
-                       {"speckle_window_px", made->getSpeckleWindowSize()},
-                       {"speckle_range", made->getSpeckleRange()}};
+   nlohmann::json json{
+       {"disparities", made->getNumDisparities()},          {"block_px", made->getBlockSize()},
+       {"min_disparity", made->getMinDisparity()},          {"disp12_max_diff", made->getDisp12MaxDiff()},
+       {"speckle_window_px", made->getSpeckleWindowSize()}, {"speckle_range", made->getSpeckleRange()}};
    if (const auto bm = made.dynamicCast<cv::StereoBM>())
       json.update({{"prefilter", bm->getPreFilterType() == cv::StereoBM::PREFILTER_XSOBEL ? "xsobel" : "normalized"},
                    {"prefilter_cap", bm->getPreFilterCap()},
@@ -52,8 +50,8 @@ void check_opencv_matcher(const OpenCvMatcher& matcher, int width, int height) {
    const int smallest = bm ? 5 : 1, largest = std::min(bm ? 255 : 51, std::min(width, height) - 1);
    if (matcher.block_px % 2 == 0 || matcher.block_px < smallest || matcher.block_px > largest)
       throw InputError("--opencv-block " + std::to_string(matcher.block_px) + ": for images of " +
-                       std::to_string(width) + "x" + std::to_string(height) + " " + name +
-                       " takes an odd block side from " + std::to_string(smallest) + " to " + std::to_string(largest));
+                       size_text(width, height) + " " + name + " takes an odd block side from " +
+                       std::to_string(smallest) + " to " + std::to_string(largest));
 }
 
 DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher) {

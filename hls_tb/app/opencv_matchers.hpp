@@ -26,7 +26,7 @@ nlohmann::json parameters_json(const OpenCvMatcher& matcher);
 /// Throws InputError with one sentence when OpenCV would not take these options for an image of this size.
 void check_opencv_matcher(const OpenCvMatcher& matcher, int width, int height);
 
-/// In pixels of a sixteenth; what OpenCV marks as below the smallest disparity is invalid.
+/// In pixels, in steps of a sixteenth. What OpenCV marks as below the smallest disparity has none.
 DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher);
 
 }  // namespace stereo::app

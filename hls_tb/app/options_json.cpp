@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/options_json.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <span>
 
@@ -79,16 +80,6 @@ std::string take(const std::string& text, Value& value) {
    return known;
 }
 
-}  // namespace
-
-const char* word_of(Reference reference) { return reference == Reference::left ? "left" : "right"; }
-
-nlohmann::json options_json(const MatchingParameters& options) {
-   nlohmann::json json;
-   for_each_option(options, [&json](const char* name, const auto& value) { json[name] = json_of(value); });
-   return json;
-}
-
 void set_option(MatchingParameters& options, const std::string& key_and_value) {
    const std::size_t equals = key_and_value.find('=');
    if (equals == std::string::npos)
@@ -104,6 +95,27 @@ void set_option(MatchingParameters& options, const std::string& key_and_value) {
       if (!wanted.empty()) throw InputError("--set " + key_and_value + ": the value must be " + wanted);
    });
    if (!found) throw InputError("--set " + key_and_value + ": there is no such option; known are: " + known);
+}
+
+}  // namespace
+
+const char* word_of(Reference reference) {
+   return std::ranges::find(kReferences, reference, &Word<Reference>::value)->word;
+}
+
+const std::map<std::string, Reference>& reference_words() {
+   static const std::map<std::string, Reference> words = [] {
+      std::map<std::string, Reference> made;
+      for (const auto& [value, word] : kReferences) made[word] = value;
+      return made;
+   }();
+   return words;
+}
+
+nlohmann::json options_json(const MatchingParameters& options) {
+   nlohmann::json json;
+   for_each_option(options, [&json](const char* name, const auto& value) { json[name] = json_of(value); });
+   return json;
 }
 
 MatchingParameters with_options(MatchingParameters options, const std::vector<std::string>& settings) {

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "app/errors.hpp"
+#include "models/gray_image.hpp"
 
 namespace stereo::app {
 namespace {
@@ -26,8 +27,7 @@ void require_camera(const char* name, const cv::Mat& camera, int width, int heig
    const double focal = camera.at<double>(0, 0), x = camera.at<double>(0, 2), y = camera.at<double>(1, 2);
    if (focal <= 0 || camera.at<double>(1, 1) <= 0 || x <= 0 || x >= width || y <= 0 || y >= height)
       throw InputError("--calibration: its " + std::string(name) + " does not belong to images of " +
-                       std::to_string(width) + "x" + std::to_string(height) +
-                       "; give images of the size that the cameras were calibrated with");
+                       size_text(width, height) + "; give images of the size that the cameras were calibrated with");
 }
 
 void require_rotation(const cv::Mat& r) {

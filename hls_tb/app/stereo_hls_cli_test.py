@@ -186,12 +186,40 @@ def test_names_that_the_system_refuses(tmp_path, match):
     fail(tmp_path, *changed(match, "--out", name), says=["--out", name, "File name too long"])
 
 
-@pytest.mark.parametrize("command", [["configurations"], ["configurations", "--json"], ["match"]])
-def test_a_result_that_does_not_reach_stdout_is_a_failure(match, command):
+def fail_to_print(folder, *arguments):
+    """Nothing is written either."""
+    before = sorted(folder.rglob("*"))
     with open("/dev/full", "w") as full:
-        process = subprocess.run([PROGRAM, *(match if command == ["match"] else command)], stdout=full, stderr=subprocess.PIPE, text=True)
+        process = subprocess.run([PROGRAM, *arguments], stdout=full, stderr=subprocess.PIPE, text=True, cwd=folder)
     assert process.returncode == 1
     assert process.stderr == "stereo_hls: internal failure: the result cannot be written to standard output\n"
+    assert sorted(folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize("command", [["configurations"], ["configurations", "--json"], ["scene", "--seed", "1", "--out", "deep/scene"]])
+def test_a_result_that_does_not_reach_stdout_is_a_failure(tmp_path, command):
+    fail_to_print(tmp_path, *command)
+
+
+def test_results_of_a_pair_that_do_not_reach_stdout_are_a_failure(tmp_path, match, pair):
+    fail_to_print(tmp_path, *match)
+    fail_to_print(tmp_path, "evaluate", *pair, "--truth-right", pair[1], "--border", "0", "--config", "tiny", "--json", "deep/e.json")
+
+
+@pytest.mark.parametrize("out", ["deep/out", "deep/out.avi"])
+def test_a_video_whose_summary_does_not_reach_stdout_is_a_failure(tmp_path, pair, out):
+    for camera in ("l", "r"):
+        (tmp_path / "cameras" / camera).mkdir(parents=True)
+        (tmp_path / f"{camera}.pgm").rename(tmp_path / "cameras" / camera / "0.pgm")
+    fail_to_print(tmp_path, "video", "--config", "tiny", "--left", "cameras/l", "--right", "cameras/r", "--out", out)
+
+
+def test_a_failure_leaves_no_folder_behind(tmp_path, match):
+    """Not those above the one that cannot be made either; folders that were there stay."""
+    (tmp_path / "there").mkdir()
+    fail(tmp_path, *changed(match, "--out", tmp_path / "there" / "made" / ("x" * 300)), says=["--out", "File name too long"])
+    (tmp_path / "link").symlink_to(tmp_path / "nowhere")
+    fail(tmp_path, *changed(match, "--out", tmp_path / "link"), says=["--out", tmp_path / "link"])
 
 
 @pytest.mark.parametrize("arguments, says", [

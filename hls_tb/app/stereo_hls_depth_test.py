@@ -217,6 +217,18 @@ def test_the_size_of_a_matrix_is_looked_at_before_there_is_memory_for_it(tmp_pat
     fail(tmp_path, *depth, tmp_path / "h.yml", *plane(tmp_path), says=["h.yml: its matrix M1", f"{rows}x{columns} but must be 3x3"])
 
 
+def test_rectified_images_of_an_earlier_run_do_not_stay(tmp_path, depth):
+    arguments = [*depth, calibration(tmp_path / "c.yml"), *plane(tmp_path)]
+    others = {"cloud.ply", "depth.json", "depth.png", "preview.png"}
+    succeed(*arguments)
+    assert {p.name for p in (tmp_path / "out").iterdir()} == others | {"left.png", "right.png"}
+    made = ["--left", tmp_path / "out" / "left.png", "--right", tmp_path / "out" / "right.png"]
+    succeed(*arguments[:-4], *made, "--rectified")
+    assert {p.name for p in (tmp_path / "out").iterdir()} == others | {"left.png", "right.png"}, "they were read"
+    succeed(*arguments, "--rectified")
+    assert {p.name for p in (tmp_path / "out").iterdir()} == others
+
+
 def test_images_that_do_not_fit(tmp_path, depth):
     pair, other = plane(tmp_path), write_image(tmp_path / "o.pgm", WIDTH, HEIGHT + 2)
     yml = calibration(tmp_path / "c.yml")

@@ -5,12 +5,12 @@ import os
 import random
 import subprocess
 
-PROGRAM = os.environ.get("STEREO_HLS", "")
+PROGRAM = os.environ.get("STEREO_HLS", "") and os.path.abspath(os.environ["STEREO_HLS"])  # tests run it in other folders
 WIDTH, HEIGHT, DISPARITIES = 32, 12, 8  # configuration tiny, as test_configurations_as_json checks
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+def run(*arguments, cwd=None):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120, cwd=cwd)
 
 
 def succeed(*arguments):
@@ -21,9 +21,9 @@ def succeed(*arguments):
 
 
 def fail(folder, *arguments, says):
-    """Exit code 2, one line on stderr with all of `says` in it, nothing written."""
+    """Exit code 2, one line on stderr with all of `says` in it, nothing written. Runs in the folder: relative paths end there."""
     before = sorted(folder.rglob("*"))
-    result = run(*arguments)
+    result = run(*arguments, cwd=folder)
     assert result.returncode == 2, result.stderr
     assert result.stderr.count("\n") == 1 and result.stderr.startswith("stereo_hls: "), result.stderr
     for words in says:

@@ -42,8 +42,38 @@ def test_folders_to_a_folder(tmp_path, video, cameras):
     assert names(tmp_path / "out") == [f"frame_{number:06}.png" for number in range(FRAMES)]
     assert {png_size(p) for p in (tmp_path / "out").iterdir()} == {(2 * WIDTH, HEIGHT)}
     assert len({p.read_bytes() for p in (tmp_path / "out").iterdir()}) == FRAMES
-    # The same frame by frame: each as match finds it.
-    assert names(tmp_path / "l")[:FRAMES] == [f"{number:03}.pgm" for number in range(FRAMES)]
+    for camera in ("l", "r"):
+        (tmp_path / "alone" / camera).mkdir(parents=True)
+        (tmp_path / camera / "002.pgm").rename(tmp_path / "alone" / camera / "002.pgm")
+    video[video.index("--out") + 1] = tmp_path / "one"
+    succeed(*video, "--left", tmp_path / "alone" / "l", "--right", tmp_path / "alone" / "r")
+    assert names(tmp_path / "one") == ["frame_000000.png"]
+    assert (tmp_path / "one" / "frame_000000.png").read_bytes() == (tmp_path / "out" / "frame_000002.png").read_bytes()
+
+
+def test_endings_in_capitals(tmp_path, video, cameras):
+    for camera in ("l", "r"):
+        for path in list((tmp_path / camera).iterdir()):
+            path.rename(path.with_suffix(".PGM"))
+    succeed(*video, *cameras)
+    assert len(names(tmp_path / "out")) == FRAMES
+    video[video.index("--out") + 1] = tmp_path / "OUT.AVI"
+    succeed(*video, *cameras)
+    assert avi_frames(tmp_path / "OUT.AVI")[0] == FRAMES
+
+
+@pytest.mark.parametrize("name", ["out.mp4", "out.MKV", "out.mov"])
+def test_videos_of_other_kinds_are_not_written(tmp_path, video, cameras, name):
+    video[video.index("--out") + 1] = tmp_path / name
+    fail(tmp_path, *video, *cameras, says=["--out", name, ".avi"])
+
+
+def test_frames_of_a_longer_result_do_not_stay(tmp_path, video, cameras):
+    succeed(*video, *cameras)
+    (tmp_path / "out" / "notes.txt").write_text("not ours")
+    fewer = ["--left", folder(tmp_path, "lf", 2), "--right", folder(tmp_path, "rf", 2)]
+    succeed(*video, *fewer)
+    assert names(tmp_path / "out") == ["frame_000000.png", "frame_000001.png", "notes.txt"]
 
 
 def avi_frames(path):
@@ -113,11 +143,17 @@ def test_nothing_to_read(tmp_path, video, cameras):
         fail(tmp_path, *video, "--side-by-side", tmp_path / name, says=["--side-by-side", name, "not a video"])
 
 
+def test_a_frame_that_cannot_be_read(tmp_path, video, monkeypatch):
+    monkeypatch.setenv("OPENCV_VIDEOIO_PRIORITY_LIST", "CV_IMAGES")  # the reader that throws where others end early
+    first = write_image(tmp_path / "f_0.pgm", 2 * WIDTH)
+    (tmp_path / "f_1.pgm").write_bytes(b"P5\n2000000 12\n255\n")
+    fail(tmp_path, *video, "--side-by-side", first, says=["--side-by-side", "f_0.pgm: frame 2 cannot be read"])
+
+
 @pytest.mark.parametrize("sink", ["out", "out.avi"])
 def test_frames_that_do_not_fit(tmp_path, video, cameras, sink):
     """Nothing is left of a result that was begun."""
-    video[video.index("--out") + 1] = tmp_path / "made" / sink
-    (tmp_path / "made").mkdir()
+    video[video.index("--out") + 1] = tmp_path / "made" / "deep" / sink
     fewer = folder(tmp_path, "fewer", FRAMES - 1)
     fail(tmp_path, *video, *cameras[:3], fewer, says=["--right", f"after {FRAMES - 1} frames"])
     fail(tmp_path, *video, "--left", fewer, *cameras[2:], says=["--left", f"after {FRAMES - 1} frames"])

@@ -14,7 +14,8 @@ struct TruthScore {
 };
 
 /// Compares a map with the reference image's true disparities, in whole pixels; `visible` is 0 where they do not count.
-/// Both have the size of the reference image.
+/// Both have the size of the reference image. Only `visible` says what counts: 0 in `truth` is a disparity of 0, where
+/// `measure` (measures.hpp) leaves out what load_disparities takes for unknown.
 TruthScore score_against_truth(const DisparityMap& map, const MatchingParameters& parameters, const GrayImage& truth,
                                const GrayImage& visible);
 

@@ -15,6 +15,7 @@
 #include "app/named_matching.hpp"
 #include "app/opencv_images.hpp"
 #include "app/positive_number.hpp"
+#include "app/timed.hpp"
 #include "app/vertical_offset.hpp"
 
 namespace stereo::app {
@@ -22,9 +23,6 @@ namespace {
 
 constexpr double kUsualRate = 25;  ///< frames a second, of a folder of images
 const cv::Scalar kOutside(32, 32, 32);
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 struct Arguments {
    std::string left, right, side_by_side, config, out;
@@ -61,7 +59,7 @@ class Progress {
   public:
    void frame_done() {
       ++frames_;
-      const double now = seconds_since(start_), wait = terminal_ ? 0.2 : 5;
+      const double now = seconds(), wait = terminal_ ? 0.2 : 5;
       if (now - said_ < wait) return;
       said_ = now;
       std::cout << (terminal_ ? "\r" : "") << frames_ << " frames, " << std::fixed << std::setprecision(1)
@@ -69,12 +67,15 @@ class Progress {
    }
    int frames() const { return frames_; }
    void summary(double matching_seconds, cv::Size size) const {
-      std::cout << (terminal_ && said_ > 0 ? "\r" : "") << frames_ << " frames of " << size.width << 'x' << size.height
-                << ": " << std::fixed << std::setprecision(1) << frames_ / matching_seconds
-                << " frames a second in the matching alone, " << frames_ / seconds_since(start_) << " overall\n";
+      std::cout << (terminal_ && said_ > 0 ? "\r" : "") << frames_ << " frames of " << size_text(size) << ": "
+                << std::fixed << std::setprecision(1) << frames_ / matching_seconds
+                << " frames a second in the matching alone, " << frames_ / seconds() << " overall\n";
    }
 
   private:
+   using Clock = std::chrono::steady_clock;
+   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
    Clock::time_point start_ = Clock::now();
    bool terminal_ = isatty(STDOUT_FILENO) == 1;
    double said_ = 0;
@@ -95,9 +96,9 @@ void video(const Arguments& arguments) {
    for (FramePair frames = source.next(); !frames.empty(); frames = source.next()) {
       const ImagePair pair{gray_of_any(frames.left), gray_of_any(frames.right)};
       if (!sink) std::cout << rectification_warning(pair);
-      const Clock::time_point start = Clock::now();
-      const DisparityMap map = match_named(arguments.config, pair, parameters);
-      matching_seconds += seconds_since(start);
+      double milliseconds = 0;
+      const DisparityMap map = timed(milliseconds, [&] { return match_named(arguments.config, pair, parameters); });
+      matching_seconds += milliseconds / 1000;
       const cv::Mat page =
           beside(parameters.reference == Reference::left ? frames.left : frames.right, map, parameters);
       size = frames.left.size();

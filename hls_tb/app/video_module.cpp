@@ -9,7 +9,9 @@
 
 #include "app/errors.hpp"
 #include "app/frame_size.hpp"
+#include "app/made_folders.hpp"
 #include "app/silent_stderr.hpp"
+#include "app/standard_output.hpp"
 #include "app/video_files.hpp"
 
 namespace stereo::app {
@@ -34,8 +36,13 @@ class VideoSource : public FrameSource {
    cv::Mat next() override {
       cv::Mat frame = waiting_;
       waiting_ = cv::Mat();
+      ++taken_;
       const SilentStderr silent;
-      video_.read(waiting_);
+      try {
+         video_.read(waiting_);
+      } catch (const cv::Exception&) {
+         throw InputError(name_ + ": frame " + std::to_string(taken_ + 1) + " cannot be read");
+      }
       if (!waiting_.empty() && !frame.empty()) require_size_of(waiting_, frame, name_);
       return frame;
    }
@@ -46,15 +53,15 @@ class VideoSource : public FrameSource {
    std::string name_;
    cv::VideoCapture video_;
    cv::Mat waiting_;  ///< the frame after the last one given; empty at the end
+   int taken_ = 0;
 };
 
 class AviSink : public FrameSink {
   public:
-   AviSink(const std::string& path, double frames_per_second, cv::Size size) : path_(path) {
-      const fs::path folder = path_.parent_path();
+   AviSink(const std::string& path, double frames_per_second, cv::Size size) : path_(path), made_(path_.parent_path()) {
       std::error_code ignored;
-      if (!folder.empty()) fs::create_directories(folder, ignored);
-      partial_ = folder / std::string(".").append(path_.stem()).append(".partial-" + std::to_string(getpid()) + ".avi");
+      partial_ = path_.parent_path() /
+                 std::string(".").append(path_.stem()).append(".partial-" + std::to_string(getpid()) + ".avi");
       const SilentStderr silent;
       const int motion_jpeg = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
       if (fs::is_directory(path_, ignored) ||
@@ -80,12 +87,14 @@ class AviSink : public FrameSink {
       std::error_code error;
       if (fs::file_size(partial_, error) < 100 * frames_ || error)
          throw InputError("--out " + path_.string() + ": the video cannot be written there; check space and rights");
-      fs::rename(partial_, path_);
       std::cout << path_.string() << '\n';
+      require_printed();
+      fs::rename(partial_, path_);
    }
 
   private:
    fs::path path_, partial_;
+   MadeFolders made_;
    cv::VideoWriter writer_;
    uintmax_t frames_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a stream of scripts/flow/axi/script.py into stereo_ip and writes down every beat of m_axis. It judges nothing but
-// the protocol: contract.py compares.
+// Plays a stream of scripts/flow/axi/script.py into stereo_ip and writes down every beat of m_axis. It judges nothing
+// but the protocol: contract.py compares.
 //   bench STREAM OBSERVED
 // OBSERVED: "o DATA FLAGS CLOCK" for each beat (flags: 1 start of frame, 2 frame error, 4 end of line), "r" at a reset,
 // "p SENTENCE" for a breach of the protocol, then "end CLOCKS" or "hang CLOCK".
@@ -52,7 +52,8 @@ class Bench {
       drive(model_.s_axis_tdata, data);
       model_.s_axis_tuser = flags & 1;
       model_.s_axis_tlast = flags >> 1 & 1;
-      while (!clock()) {}
+      while (!clock()) {
+      }
       model_.s_axis_tvalid = 0;
       garbage();
    }
@@ -136,7 +137,8 @@ void play(std::FILE* stream, Bench& bench) {
    long second = 0;
    while (std::fscanf(stream, " %c", &kind) == 1) {
       if (kind == 'b' && std::fscanf(stream, "%llx %ld", &first, &second) == 2) bench.send(first, int(second));
-      else if (kind == 'p' && std::fscanf(stream, "%llu %ld", &first, &second) == 2) bench.set_rates(int(first), int(second));
+      else if (kind == 'p' && std::fscanf(stream, "%llu %ld", &first, &second) == 2)
+         bench.set_rates(int(first), int(second));
       else if (kind == 'i' && std::fscanf(stream, "%ld", &second) == 1) bench.idle(second);
       else if (kind == 'r' && std::fscanf(stream, "%ld", &second) == 1) bench.reset(second);
       else if (kind == 'd') bench.drain(kQuietClocks);

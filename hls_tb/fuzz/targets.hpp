@@ -13,10 +13,8 @@ namespace stereo::fuzz {
 
 bool calibration(std::string_view bytes);  ///< OpenCV's YAML, XML or JSON of a stereo calibration
 bool disparities(std::string_view bytes);  ///< ground truth or results: PFM, 8 or 16 bits
-bool expected(std::string_view bytes);     ///< vectors/vector_files.hpp
 bool image(std::string_view bytes);        ///< an image of a pair
 bool pfm(std::string_view bytes);
-bool stimulus(std::string_view bytes);  ///< vectors/vector_files.hpp
 
 struct Target {
    const char* name;
@@ -25,8 +23,7 @@ struct Target {
 
 /// The folder fuzz/corpus/ has one of each name.
 inline constexpr Target kTargets[] = {
-    {"calibration", calibration}, {"disparities", disparities}, {"expected", expected}, {"image", image}, {"pfm", pfm},
-    {"stimulus", stimulus}};
+    {"calibration", calibration}, {"disparities", disparities}, {"image", image}, {"pfm", pfm}};
 
 struct BrokenPromise : std::logic_error {
    using std::logic_error::logic_error;

@@ -3,11 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace stereo {
 
-/// An 8-bit picture in raster order, row 0 first. Disparity maps are pictures too.
+/// An 8-bit picture in raster order, row 0 first.
 struct GrayImage {
    int width = 0;
    int height = 0;
@@ -30,5 +31,23 @@ struct GrayImage {
 struct ImagePair {
    GrayImage left, right;
 };
+
+/// As sentences show a size: "320x240".
+inline std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// Image: anything with a width and a height.
+template <class Image>
+std::string size_text(const Image& image) {
+   return size_text(image.width, image.height);
+}
+
+/// Throws Error with one sentence unless the sizes are the same. `left_name`, `right_name`: what it calls the images.
+template <class Error, class Image>
+void require_same_size(const std::string& left_name, const Image& left, const std::string& right_name,
+                       const Image& right) {
+   if (left.width != right.width || left.height != right.height)
+      throw Error("the images differ in size: " + left_name + " is " + size_text(left) + ", " + right_name + " is " +
+                  size_text(right) + "; give a pair of one size");
+}
 
 }  // namespace stereo

@@ -20,13 +20,8 @@ void require_range(const std::string& what, int value, int64_t low, int64_t high
                                               std::to_string(low) + " ... " + std::to_string(high));
 }
 
-std::string size_text(const GrayImage& image) {
-   return std::to_string(image.width) + "x" + std::to_string(image.height);
-}
-
 void check_pair(const GrayImage& left, const GrayImage& right) {
-   require(left.same_size(right), "the images differ in size: left is " + size_text(left) + ", right is " +
-                                      size_text(right) + "; give a rectified pair of one size");
+   require_same_size<std::invalid_argument>("left", left, "right", right);
    require(left.width > 0 && left.height > 0, "the images have no pixels");
 }
 
@@ -36,8 +31,7 @@ void check_options(const MatchingParameters& p) {
    require_range("the census window's width", p.census_width_px, 3, 9);
    require_range("the census window's height", p.census_height_px, 3, 7);
    require(p.census_width_px % 2 == 1 && p.census_height_px % 2 == 1,
-           "the census window is " + std::to_string(p.census_width_px) + "x" + std::to_string(p.census_height_px) +
-               " but both sides must be odd");
+           "the census window is " + size_text(p.census_width_px, p.census_height_px) + " but both sides must be odd");
    require_range("the prefilter's cap", p.prefilter_cap, 1, 63);
    require(p.cost != Cost::census || p.prefilter == Prefilter::none, "the census transform takes no prefilter");
    require_range("the left/right threshold", p.left_right_threshold, -1, p.disparities - 1);

@@ -2,8 +2,6 @@
 // The reference model beside OpenCV's StereoBM and median filter: "Beside OpenCV's StereoBM" in docs/algorithm.md.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -13,6 +11,7 @@
 #include "models/scene.hpp"
 #include "support/map_compare.hpp"
 #include "support/seed.hpp"
+#include "support/teddy.hpp"
 #include "support/test_pairs.hpp"
 
 namespace stereo::test {
@@ -169,11 +168,8 @@ TEST(OpenCv, StereoBmIsTheSameOnImagesFullOfTies) {
 }
 
 TEST(OpenCv, StereoBmIsTheSameOnARealPair) {
-   const char* const data = std::getenv("STEREO_DATA");
-   const std::filesystem::path folder =
-       std::filesystem::path(data != nullptr ? data : STEREO_SOURCE_DIR "/../shared/data/stereo") / "teddy";
-   if (!std::filesystem::exists(folder / "left.png"))
-      GTEST_SKIP() << "SKIP: the stereo pair teddy is missing; set STEREO_DATA to the folder that holds teddy/left.png";
+   const std::filesystem::path folder = teddy_folder();
+   if (folder.empty()) GTEST_SKIP() << kNoTeddy;
    const ImagePair pair = even_rows(app::load_pair(folder / "left.png", folder / "right.png"));
    for (const BmOptions& options : kSomeOptions) expect_same(pair, options);
    EXPECT_GT(expect_same(pair, {}), 80) << "percent of the pixels are valid";

@@ -4,32 +4,13 @@
 
 #include <stdexcept>
 
+#include "support/by_hand.hpp"
 #include "support/map_compare.hpp"
 #include "support/seed.hpp"
 #include "support/test_pairs.hpp"
 
 namespace stereo::test {
 namespace {
-
-GrayImage image(int width, int height, std::vector<uint8_t> pixels) {
-   GrayImage result(width, height);
-   EXPECT_EQ(result.pixels.size(), pixels.size());
-   result.pixels = std::move(pixels);
-   return result;
-}
-
-CostVolume volume(int width, int height, int disparities, std::vector<int> values) {
-   CostVolume result(width, height, disparities);
-   result.values = std::move(values);
-   return result;
-}
-
-DisparityMap map(int width, int height, std::vector<uint16_t> disparities) {
-   DisparityMap result(width, height);
-   EXPECT_EQ(result.disparity.size(), disparities.size());
-   result.disparity = std::move(disparities);
-   return result;
-}
 
 // W=4, H=2, D=2: cost columns 0 ... 2, output columns 0 and 1.
 const GrayImage kLeft = image(4, 2, {10, 20, 30, 40, 5, 5, 9, 9});

@@ -5,33 +5,13 @@
 #include "models/mirror.hpp"
 #include "models/random.hpp"
 #include "models/reference_model.hpp"
+#include "support/by_hand.hpp"
 #include "support/map_compare.hpp"
 #include "support/seed.hpp"
 #include "support/test_pairs.hpp"
 
 namespace stereo::test {
 namespace {
-
-GrayImage image(int width, int height, std::vector<uint8_t> pixels) {
-   GrayImage result(width, height);
-   EXPECT_EQ(result.pixels.size(), pixels.size());
-   result.pixels = std::move(pixels);
-   return result;
-}
-
-CostVolume volume(int width, int height, int disparities, std::vector<int> values) {
-   CostVolume result(width, height, disparities);
-   EXPECT_EQ(result.values.size(), values.size());
-   result.values = std::move(values);
-   return result;
-}
-
-DisparityMap map(int width, int height, std::vector<uint16_t> disparities) {
-   DisparityMap result(width, height);
-   EXPECT_EQ(result.disparity.size(), disparities.size());
-   result.disparity = std::move(disparities);
-   return result;
-}
 
 const GrayImage kLeft = image(4, 1, {10, 20, 30, 40});
 const GrayImage kRight = image(4, 1, {20, 30, 30, 99});

@@ -32,7 +32,7 @@ struct Surface {
    double shade(double x, double y) const;
 };
 
-/// All surfaces of a scene. `disparities` bounds them: every disparity is above 0 and below disparities - 1.
+/// All surfaces of a scene. `disparities` bounds them: every disparity is above 0 and, rounded, below `disparities`.
 std::vector<Surface> arrange_surfaces(int width, int height, int disparities, uint64_t seed);
 
 }  // namespace stereo

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "support/map_compare.hpp"
+#include "support/reference_map.hpp"
 #include "support/seed.hpp"
-#include "vectors/matching_parameters.hpp"
 #include "vectors/run_core.hpp"
 
 namespace stereo::test {
@@ -23,8 +23,7 @@ DisparityMap core_map(const ImagePair& pair, int stall_percent = 0) {
 /// Compares the core's map with that of the reference model.
 template <const StereoConfig& C>
 void expect_reference(const ImagePair& pair, int stall_percent = 0) {
-   EXPECT_TRUE(
-       same_map(match_reference(pair.left, pair.right, matching_parameters(C)), core_map<C>(pair, stall_percent)));
+   EXPECT_TRUE(same_map(reference_map(pair, C), core_map<C>(pair, stall_percent)));
 }
 
 }  // namespace stereo::test

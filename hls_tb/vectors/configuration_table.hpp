@@ -16,7 +16,7 @@ struct Configuration {
    void (*trace)(const Stimulus& stimulus, std::ostream& out);              ///< trace_core of this configuration
 };
 
-/// All named configurations, sorted by name.
+/// The named configurations of this build (STEREO_CONFIGURATIONS), sorted by name.
 const std::vector<Configuration>& configuration_table();
 
 /// nullptr when there is none of that name.

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "vectors/heap_memories.hpp"
-#include "vectors/pixel_word.hpp"
+#include "vectors/lane_word.hpp"
 #include "vectors/register_names.hpp"
 #include "vectors/stimulus.hpp"
 

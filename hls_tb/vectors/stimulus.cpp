@@ -6,8 +6,6 @@
 namespace stereo {
 namespace {
 
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
 /// Rows of the smallest crop that gives an output.
 int least_rows(const StereoConfig& config) {
    return (config.groups_to_first_output() + config.width_px - 1) / config.width_px * config.pixels_per_clock;
@@ -20,7 +18,7 @@ void check(const std::string& name, const StereoConfig& config, const ImagePair&
    };
    for (const GrayImage* image : {&pair.left, &pair.right})
       require(image->width == config.width_px && image->height == config.height_px,
-              "an image is " + size_text(image->width, image->height) + " but configuration " + name + " takes " +
+              "an image is " + size_text(*image) + " but configuration " + name + " takes " +
                   size_text(config.width_px, config.height_px));
    require(options.frames >= 1, "the number of frames must be at least 1");
    require(options.stall_percent >= 0 && options.stall_percent <= 95, "the stall percentage must be 0 ... 95");

@@ -5,11 +5,11 @@
 #include <stdexcept>
 
 #include "support/map_compare.hpp"
+#include "support/reference_map.hpp"
 #include "support/seed.hpp"
 #include "support/test_configs.hpp"
 #include "support/test_pairs.hpp"
 #include "vectors/configuration_table.hpp"
-#include "vectors/matching_parameters.hpp"
 #include "vectors/run_core.hpp"
 
 namespace stereo::test {
@@ -21,14 +21,11 @@ std::ptrdiff_t valid_clocks(const Stimulus& made) {
    return std::ranges::count_if(made.clocks, [](const StereoInput& in) { return in.valid; });
 }
 
-DisparityMap reference(const ImagePair& pair, const StereoConfig& config) {
-   return match_reference(pair.left, pair.right, matching_parameters(config));
-}
-
 class StimulusTest : public ::testing::TestWithParam<const char*> {
   protected:
    void SetUp() override {
-      if (find_configuration(GetParam()) == nullptr) GTEST_SKIP() << "SKIP: this build (STEREO_CONFIGURATIONS) has no " << GetParam();
+      if (find_configuration(GetParam()) == nullptr)
+         GTEST_SKIP() << "SKIP: this build (STEREO_CONFIGURATIONS) has no " << GetParam();
    }
    const Configuration& core() const { return *find_configuration(GetParam()); }
    const StereoConfig& config() const { return core().config; }
@@ -98,7 +95,7 @@ TEST_P(StimulusTest, OddFramesAreUpsideDown) {
    ASSERT_EQ(got.size(), 3u);
    for (std::size_t i = 0; i < 3; ++i) {
       const ImagePair& shown = i % 2 == 0 ? pair : flipped;
-      EXPECT_TRUE(same_map(reference(shown, C), got[i])) << i;
+      EXPECT_TRUE(same_map(reference_map(shown, C), got[i])) << i;
    }
 }
 
@@ -118,7 +115,7 @@ TEST_P(StimulusTest, RowsAreTheTopOfAFrame) {
    ImagePair crop{GrayImage(C.width_px, kHeight), GrayImage(C.width_px, kHeight)};
    std::copy_n(pair.left.row(kFirst), crop.left.pixels.size(), crop.left.pixels.begin());
    std::copy_n(pair.right.row(kFirst), crop.right.pixels.size(), crop.right.pixels.begin());
-   const DisparityMap expected = reference(crop, C);
+   const DisparityMap expected = reference_map(crop, C);
    // Without the records after its last row, all that waits for them stays inside.
    const auto comes_out = [&](int x, int y) {
       return C.groups_to_first_output() + y / C.pixels_per_clock * C.width_px + x <= records;

@@ -22,12 +22,4 @@ namespace stereo {
 void write_stimulus(std::ostream& out, const Stimulus& stimulus);
 void write_expected(std::ostream& out, const Expected& expected);
 
-/// Throw std::runtime_error "<name>:<line>: <what is wrong>" on anything but exactly that format.
-Stimulus read_stimulus(std::istream& in, const std::string& name);
-Expected read_expected(std::istream& in, const std::string& name);
-
-/// The same from a file.
-Stimulus read_stimulus_file(const std::string& path);
-Expected read_expected_file(const std::string& path);
-
 }  // namespace stereo

@@ -3,6 +3,7 @@
 
 import json
 import re
+import shlex
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +22,9 @@ OPTIONS = [
     # Nothing can be shared inside one state; looking for sharing would take minutes.
     "--module-binding=UNIQUE", "--register-allocation=UNIQUE_BINDING",
     f"--device-name={DEVICE}", "--clock-period=400", "--distram-threshold=100000", "-O3", "-fno-slp-vectorize",
+    # With more than 100 memories, as recursive sums have for many disparities, the front end would give up to look for what
+    # a read depends on, take it to depend on another memory's write, and need a second state.
+    "--extra-gcc-options=-mllvm -memssa-check-limit=1000000",
 ]
 
 
@@ -37,7 +41,7 @@ def synthesize(config, parameters):
     bambu = find_bambu()
     directory = WORK / config
     options = ["hls/stereo_top.cpp", "-Ihls", f"-DSTEREO_CONFIGURATION={config}", *OPTIONS]
-    command = " ".join(["bambu", *options])
+    command = shlex.join(["bambu", *options])
     version = tool_version(bambu)
     inputs = json.dumps([version, command, parameters, hardware_digests()], indent=1, sort_keys=True)
     stamp, log = directory / "inputs.json", directory / "bambu.log"

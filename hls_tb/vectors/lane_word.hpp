@@ -17,10 +17,4 @@ uint64_t lane_word(std::span<const Lane, kMostPixels> lanes, int lanes_in_use, i
    return word;
 }
 
-template <class Lane>
-void set_lanes(std::span<Lane, kMostPixels> lanes, uint64_t word, int lanes_in_use, int lane_bits) {
-   for (int p = 0; p < kMostPixels; ++p)
-      lanes[std::size_t(p)] = p < lanes_in_use ? Lane(word >> (lane_bits * p) & ((1u << lane_bits) - 1)) : Lane(0);
-}
-
 }  // namespace stereo
