@@ -1866,25 +1866,23 @@ begin
       slice0window_tag_border_column <= slice0window_tag_first_cost;
       slice0window_tag_first_cost <= slice2best_second_0_0 = 1023;
       slice0window_tag_map_column <= slice0window_centre_0_map_column;
+      slice0window_tag_output_column <= slice0window_centre_0_output_column;
+      slice0window_tag_first_column <= slice0window_centre_0_first_column;
       slice0window_tag_start_of_frame <= slice0window_centre_0_start_of_frame;
       slice0window_tag_end_of_line <= slice0window_centre_0_end_of_line;
-      if slice0window_tag_valid then
-        slice0window_tag_output_column <= slice1cost_tag_output_column;
-        slice0window_tag_first_column <= slice1cost_tag_first_cost;
-      end if;
       -- slice0other
-      slice0other_cost_0_0_all := (slice0other_cost_3_2 < slice0window_sum_3_1) and (not
-        slice1window_centre_0_first_column) and slice1window_centre_0_output_column;
+      slice0other_cost_0_0_all := (slice0other_cost_3_2 < slice0window_sum_3_1) and (not slice0window_tag_first_column)
+        and slice0window_tag_output_column;
       slice0other_cost_0_0_is_not_less := slice0other_cost_0_1 >= slice0window_sum_0_0;
       slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
         slice0other_cost_0_1;
       slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
         slice0other_cost_0_0;
       slice0other_cost_0_0_all_2 := (slice0other_cost_3_2 >= slice0window_sum_3_1) and (not
-        slice1window_centre_0_first_column) and slice1window_centre_0_output_column;
+        slice0window_tag_first_column) and slice0window_tag_output_column;
       slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
       slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
-      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice0window_tag_output_column else
         slice0other_cost_0_0_choice_4;
       slice0other_cost_0_0_choice_6 := slice0other_cost_0_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_cost_0_0_choice_5;
@@ -1893,13 +1891,13 @@ begin
       slice0other_cost_0_1_choice_2 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
       slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice when slice0other_cost_0_1_is_not_less else
         slice0other_cost_0_1_choice_2;
-      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice when slice1window_centre_0_output_column else
+      slice0other_cost_0_1_choice_4 := slice0other_cost_0_1_choice when slice0window_tag_output_column else
         slice0other_cost_0_1_choice_2;
       slice0other_cost_0_1_choice_5 := slice0other_cost_0_1_choice_3 when slice0other_cost_0_0_all_2 else
         slice0other_cost_0_1_choice_4;
       slice0other_cost_0_2_choice := slice0window_sum_0_2 when slice0window_tag_valid else slice0other_cost_0_2;
       slice0other_cost_0_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_0_2;
-      slice0other_cost_0_2_choice_3 := slice0other_cost_0_2_choice when slice1window_centre_0_output_column else
+      slice0other_cost_0_2_choice_3 := slice0other_cost_0_2_choice when slice0window_tag_output_column else
         slice0other_cost_0_2_choice_2;
       slice0other_cost_0_2_choice_4 := slice0other_cost_0_2_choice when slice0other_cost_0_0_all_2 else
         slice0other_cost_0_2_choice_3;
@@ -1910,7 +1908,7 @@ begin
         slice0other_cost_1_0;
       slice0other_cost_1_0_choice_3 := slice0window_sum_1_0 when slice0window_tag_valid else slice0other_cost_1_0;
       slice0other_cost_1_0_choice_4 := slice0other_cost_1_1 when slice0window_tag_valid else slice0other_cost_1_0;
-      slice0other_cost_1_0_choice_5 := slice0other_cost_1_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_cost_1_0_choice_5 := slice0other_cost_1_0_choice_3 when slice0window_tag_output_column else
         slice0other_cost_1_0_choice_4;
       slice0other_cost_1_0_choice_6 := slice0other_cost_1_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_cost_1_0_choice_5;
@@ -1919,13 +1917,13 @@ begin
       slice0other_cost_1_1_choice_2 := slice0other_cost_1_2 when slice0window_tag_valid else slice0other_cost_1_1;
       slice0other_cost_1_1_choice_3 := slice0other_cost_1_1_choice when slice0other_cost_1_1_is_not_less else
         slice0other_cost_1_1_choice_2;
-      slice0other_cost_1_1_choice_4 := slice0other_cost_1_1_choice when slice1window_centre_0_output_column else
+      slice0other_cost_1_1_choice_4 := slice0other_cost_1_1_choice when slice0window_tag_output_column else
         slice0other_cost_1_1_choice_2;
       slice0other_cost_1_1_choice_5 := slice0other_cost_1_1_choice_3 when slice0other_cost_0_0_all_2 else
         slice0other_cost_1_1_choice_4;
       slice0other_cost_1_2_choice := slice0window_sum_1_2 when slice0window_tag_valid else slice0other_cost_1_2;
       slice0other_cost_1_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_1_2;
-      slice0other_cost_1_2_choice_3 := slice0other_cost_1_2_choice when slice1window_centre_0_output_column else
+      slice0other_cost_1_2_choice_3 := slice0other_cost_1_2_choice when slice0window_tag_output_column else
         slice0other_cost_1_2_choice_2;
       slice0other_cost_1_2_choice_4 := slice0other_cost_1_2_choice when slice0other_cost_0_0_all_2 else
         slice0other_cost_1_2_choice_3;
@@ -1936,7 +1934,7 @@ begin
         slice0other_cost_2_0;
       slice0other_cost_2_0_choice_3 := slice0window_sum_2_0 when slice0window_tag_valid else slice0other_cost_2_0;
       slice0other_cost_2_0_choice_4 := slice0other_cost_2_1 when slice0window_tag_valid else slice0other_cost_2_0;
-      slice0other_cost_2_0_choice_5 := slice0other_cost_2_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_cost_2_0_choice_5 := slice0other_cost_2_0_choice_3 when slice0window_tag_output_column else
         slice0other_cost_2_0_choice_4;
       slice0other_cost_2_0_choice_6 := slice0other_cost_2_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_cost_2_0_choice_5;
@@ -1945,13 +1943,13 @@ begin
       slice0other_cost_2_1_choice_2 := slice0other_cost_2_2 when slice0window_tag_valid else slice0other_cost_2_1;
       slice0other_cost_2_1_choice_3 := slice0other_cost_2_1_choice when slice0other_cost_2_1_is_not_less else
         slice0other_cost_2_1_choice_2;
-      slice0other_cost_2_1_choice_4 := slice0other_cost_2_1_choice when slice1window_centre_0_output_column else
+      slice0other_cost_2_1_choice_4 := slice0other_cost_2_1_choice when slice0window_tag_output_column else
         slice0other_cost_2_1_choice_2;
       slice0other_cost_2_1_choice_5 := slice0other_cost_2_1_choice_3 when slice0other_cost_0_0_all_2 else
         slice0other_cost_2_1_choice_4;
       slice0other_cost_2_2_choice := slice0window_sum_2_2 when slice0window_tag_valid else slice0other_cost_2_2;
       slice0other_cost_2_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_2_2;
-      slice0other_cost_2_2_choice_3 := slice0other_cost_2_2_choice when slice1window_centre_0_output_column else
+      slice0other_cost_2_2_choice_3 := slice0other_cost_2_2_choice when slice0window_tag_output_column else
         slice0other_cost_2_2_choice_2;
       slice0other_cost_2_2_choice_4 := slice0other_cost_2_2_choice when slice0other_cost_0_0_all_2 else
         slice0other_cost_2_2_choice_3;
@@ -1962,13 +1960,13 @@ begin
         slice0other_cost_3_0;
       slice0other_cost_3_0_choice_3 := slice0window_sum_3_0 when slice0window_tag_valid else slice0other_cost_3_0;
       slice0other_cost_3_0_choice_4 := slice0other_cost_3_1 when slice0window_tag_valid else slice0other_cost_3_0;
-      slice0other_cost_3_0_choice_5 := slice0other_cost_3_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_cost_3_0_choice_5 := slice0other_cost_3_0_choice_3 when slice0window_tag_output_column else
         slice0other_cost_3_0_choice_4;
       slice0other_cost_3_0_choice_6 := slice0other_cost_3_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_cost_3_0_choice_5;
       slice0other_cost_3_1_choice := slice0other_cost_3_2 when slice0window_tag_valid else slice0other_cost_3_1;
       slice0other_cost_3_1_choice_2 := slice0window_sum_3_1 when slice0window_tag_valid else slice0other_cost_3_1;
-      slice0other_cost_3_1_choice_3 := slice0other_cost_3_1_choice_2 when slice1window_centre_0_output_column else
+      slice0other_cost_3_1_choice_3 := slice0other_cost_3_1_choice_2 when slice0window_tag_output_column else
         slice0other_cost_3_1_choice;
       slice0other_cost_3_1_choice_4 := slice0other_cost_3_1_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_cost_3_1_choice_3;
@@ -1977,7 +1975,7 @@ begin
         slice0other_winner_0_0;
       slice0other_winner_0_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_0_0;
       slice0other_winner_0_0_choice_4 := slice0other_winner_0_1 when slice0window_tag_valid else slice0other_winner_0_0;
-      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_0_0_choice_5 := slice0other_winner_0_0_choice_3 when slice0window_tag_output_column else
         slice0other_winner_0_0_choice_4;
       slice0other_winner_0_0_choice_6 := slice0other_winner_0_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_0_0_choice_5;
@@ -1986,7 +1984,7 @@ begin
         slice0other_winner_0_1;
       slice0other_winner_0_1_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_0_1;
       slice0other_winner_0_1_choice_4 := slice0other_winner_1_2 when slice0window_tag_valid else slice0other_winner_0_1;
-      slice0other_winner_0_1_choice_5 := slice0other_winner_0_1_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_0_1_choice_5 := slice0other_winner_0_1_choice_3 when slice0window_tag_output_column else
         slice0other_winner_0_1_choice_4;
       slice0other_winner_0_1_choice_6 := slice0other_winner_0_1_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_0_1_choice_5;
@@ -1995,7 +1993,7 @@ begin
         slice0other_winner_1_0;
       slice0other_winner_1_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_1_0;
       slice0other_winner_1_0_choice_4 := slice0other_winner_1_1 when slice0window_tag_valid else slice0other_winner_1_0;
-      slice0other_winner_1_0_choice_5 := slice0other_winner_1_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_1_0_choice_5 := slice0other_winner_1_0_choice_3 when slice0window_tag_output_column else
         slice0other_winner_1_0_choice_4;
       slice0other_winner_1_0_choice_6 := slice0other_winner_1_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_1_0_choice_5;
@@ -2004,13 +2002,13 @@ begin
         slice0other_winner_1_1;
       slice0other_winner_1_1_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_1_1;
       slice0other_winner_1_1_choice_4 := slice0other_winner_1_2 when slice0window_tag_valid else slice0other_winner_1_1;
-      slice0other_winner_1_1_choice_5 := slice0other_winner_1_1_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_1_1_choice_5 := slice0other_winner_1_1_choice_3 when slice0window_tag_output_column else
         slice0other_winner_1_1_choice_4;
       slice0other_winner_1_1_choice_6 := slice0other_winner_1_1_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_1_1_choice_5;
       slice0other_winner_1_2_choice := 7 when slice0window_tag_valid else slice0other_winner_1_2;
       slice0other_winner_1_2_choice_2 := 0 when slice0window_tag_valid else slice0other_winner_1_2;
-      slice0other_winner_1_2_choice_3 := slice0other_winner_1_2_choice when slice1window_centre_0_output_column else
+      slice0other_winner_1_2_choice_3 := slice0other_winner_1_2_choice when slice0window_tag_output_column else
         slice0other_winner_1_2_choice_2;
       slice0other_winner_1_2_choice_4 := slice0other_winner_1_2_choice when slice0other_cost_0_0_all_2 else
         slice0other_winner_1_2_choice_3;
@@ -2019,7 +2017,7 @@ begin
         slice0other_winner_2_0;
       slice0other_winner_2_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_2_0;
       slice0other_winner_2_0_choice_4 := slice0other_winner_2_1 when slice0window_tag_valid else slice0other_winner_2_0;
-      slice0other_winner_2_0_choice_5 := slice0other_winner_2_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_2_0_choice_5 := slice0other_winner_2_0_choice_3 when slice0window_tag_output_column else
         slice0other_winner_2_0_choice_4;
       slice0other_winner_2_0_choice_6 := slice0other_winner_2_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_2_0_choice_5;
@@ -2028,7 +2026,7 @@ begin
         slice0other_winner_2_1;
       slice0other_winner_2_1_choice_3 := 6 when slice0window_tag_valid else slice0other_winner_2_1;
       slice0other_winner_2_1_choice_4 := slice0other_winner_1_2 when slice0window_tag_valid else slice0other_winner_2_1;
-      slice0other_winner_2_1_choice_5 := slice0other_winner_2_1_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_2_1_choice_5 := slice0other_winner_2_1_choice_3 when slice0window_tag_output_column else
         slice0other_winner_2_1_choice_4;
       slice0other_winner_2_1_choice_6 := slice0other_winner_2_1_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_2_1_choice_5;
@@ -2037,7 +2035,7 @@ begin
         slice0other_winner_3_0;
       slice0other_winner_3_0_choice_3 := 5 when slice0window_tag_valid else slice0other_winner_3_0;
       slice0other_winner_3_0_choice_4 := slice0other_winner_3_1 when slice0window_tag_valid else slice0other_winner_3_0;
-      slice0other_winner_3_0_choice_5 := slice0other_winner_3_0_choice_3 when slice1window_centre_0_output_column else
+      slice0other_winner_3_0_choice_5 := slice0other_winner_3_0_choice_3 when slice0window_tag_output_column else
         slice0other_winner_3_0_choice_4;
       slice0other_winner_3_0_choice_6 := slice0other_winner_3_0_choice_2 when slice0other_cost_0_0_all_2 else
         slice0other_winner_3_0_choice_5;
@@ -2087,12 +2085,12 @@ begin
       slice0other_winner_out_1 <= slice0other_winner_1_0;
       slice0other_winner_out_2 <= slice0other_winner_2_0;
       slice0other_winner_out_3 <= slice0other_winner_3_0;
-      slice0other_cost_3_2_choice := slice0window_sum_3_2 when slice1window_centre_0_output_column else 0;
+      slice0other_cost_3_2_choice := slice0window_sum_3_2 when slice0window_tag_output_column else 0;
       slice0other_cost_3_2_choice_2 := slice0window_sum_3_2 when slice0other_cost_0_0_all_2 else
         slice0other_cost_3_2_choice;
-      slice0other_winner_0_2_choice := 7 when slice1window_centre_0_output_column else 0;
+      slice0other_winner_0_2_choice := 7 when slice0window_tag_output_column else 0;
       slice0other_winner_0_2_choice_2 := 7 when slice0other_cost_0_0_all_2 else slice0other_winner_0_2_choice;
-      slice0other_winner_3_1_choice := 6 when slice1window_centre_0_output_column else slice0other_winner_0_2;
+      slice0other_winner_3_1_choice := 6 when slice0window_tag_output_column else slice0other_winner_0_2;
       slice0other_winner_3_1_choice_2 := 6 when slice0other_cost_0_0_all_2 else slice0other_winner_3_1_choice;
       if slice0window_tag_valid then
         slice0other_cost_3_2 <= slice0window_sum_3_2 when slice0other_cost_0_0_all else slice0other_cost_3_2_choice_2;
@@ -2144,10 +2142,10 @@ begin
       slice0winner1_but_last_2_0 <= slice0window_sum_2_0;
       slice0winner1_but_last_3_0 <= slice0window_sum_3_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
+      slice0winner1_tag_first_column <= slice1window_centre_0_first_column;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
+        slice0winner1_tag_output_column <= slice2cost_tag_output_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
@@ -2226,7 +2224,7 @@ begin
         slice0winner1_last_3_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_output_column <= slice1window_tag_output_column;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_first_column <= slice1window_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
@@ -2432,9 +2430,9 @@ begin
         slice1window_partial_3_1_0 <= slice1cost_column_3_0 + slice1window_partial_3_0_0;
         slice1window_partial_3_1_1 <= slice1cost_column_3_1 + slice1window_partial_3_0_1;
         slice1window_partial_3_1_2 <= slice1cost_column_3_2 + slice1window_partial_3_0_2;
+        slice1window_centre_0_output_column <= slice1cost_tag_output_column;
+        slice1window_centre_0_first_column <= slice1cost_tag_first_cost;
       end if;
-      slice1window_centre_0_output_column <= slice0window_centre_0_output_column;
-      slice1window_centre_0_first_column <= slice0window_centre_0_first_column;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
@@ -2447,19 +2445,19 @@ begin
       slice1window_sum_3_0 <= slice1cost_column_3_0 + slice1window_partial_3_1_0;
       slice1window_sum_3_1 <= slice1cost_column_3_1 + slice1window_partial_3_1_1;
       slice1window_sum_3_2 <= slice1cost_column_3_2 + slice1window_partial_3_1_2;
+      slice1window_tag_output_column <= slice1window_centre_0_output_column;
       if slice0winner1_tag_valid then
-        slice1window_tag_output_column <= slice2cost_tag_output_column;
         slice1window_tag_first_column <= slice2cost_tag_first_cost;
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_tag_first_column) or (not slice0winner1_tag_output_column);
+      slice1other_cost_0_0_any := (not slice0winner1_tag_first_column) or (not slice1window_tag_output_column);
       slice1other_cost_0_0_is_not_less := slice1other_cost_0_1 >= slice1window_sum_0_0;
       slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
         slice1other_cost_0_1;
       slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_tag_valid else
         slice1other_cost_0_0;
       slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice1window_tag_output_column else
         slice1other_cost_0_0_choice_3;
       slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
       slice1other_cost_0_1_is_not_less := slice1other_cost_0_2 >= slice1window_sum_0_1;
@@ -2468,7 +2466,7 @@ begin
       slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
         slice1other_cost_0_1;
       slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice1window_tag_output_column else
         slice1other_cost_0_1_choice_3;
       slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
       slice1other_cost_0_2_is_not_less := slice0other_cost_out_0 >= slice1window_sum_0_2;
@@ -2476,7 +2474,7 @@ begin
       slice1other_cost_0_2_choice_2 := slice0other_cost_out_0 when slice0winner1_tag_valid else slice1other_cost_0_2;
       slice1other_cost_0_2_choice_3 := slice1other_cost_0_2_choice when slice1other_cost_0_2_is_not_less else
         slice1other_cost_0_2_choice_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_3 when slice0winner1_tag_output_column else
+      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice_3 when slice1window_tag_output_column else
         slice1other_cost_0_2_choice_2;
       slice1other_cost_1_0_is_not_less := slice1other_cost_1_1 >= slice1window_sum_1_0;
       slice1other_cost_1_0_choice := slice1window_sum_1_0 when slice1other_cost_1_0_is_not_less else
@@ -2484,7 +2482,7 @@ begin
       slice1other_cost_1_0_choice_2 := slice1other_cost_1_0_choice when slice0winner1_tag_valid else
         slice1other_cost_1_0;
       slice1other_cost_1_0_choice_3 := slice1other_cost_1_1 when slice0winner1_tag_valid else slice1other_cost_1_0;
-      slice1other_cost_1_0_choice_4 := slice1other_cost_1_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_1_0_choice_4 := slice1other_cost_1_0_choice_2 when slice1window_tag_output_column else
         slice1other_cost_1_0_choice_3;
       slice1other_cost_1_0_choice_5 := slice1window_sum_1_0 when slice0winner1_tag_valid else slice1other_cost_1_0;
       slice1other_cost_1_1_is_not_less := slice1other_cost_1_2 >= slice1window_sum_1_1;
@@ -2493,7 +2491,7 @@ begin
       slice1other_cost_1_1_choice_2 := slice1other_cost_1_1_choice when slice0winner1_tag_valid else
         slice1other_cost_1_1;
       slice1other_cost_1_1_choice_3 := slice1other_cost_1_2 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_1_choice_4 := slice1other_cost_1_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_1_1_choice_4 := slice1other_cost_1_1_choice_2 when slice1window_tag_output_column else
         slice1other_cost_1_1_choice_3;
       slice1other_cost_1_1_choice_5 := slice1window_sum_1_1 when slice0winner1_tag_valid else slice1other_cost_1_1;
       slice1other_cost_1_2_is_not_less := slice0other_cost_out_1 >= slice1window_sum_1_2;
@@ -2501,7 +2499,7 @@ begin
       slice1other_cost_1_2_choice_2 := slice0other_cost_out_1 when slice0winner1_tag_valid else slice1other_cost_1_2;
       slice1other_cost_1_2_choice_3 := slice1other_cost_1_2_choice when slice1other_cost_1_2_is_not_less else
         slice1other_cost_1_2_choice_2;
-      slice1other_cost_1_2_choice_4 := slice1other_cost_1_2_choice_3 when slice0winner1_tag_output_column else
+      slice1other_cost_1_2_choice_4 := slice1other_cost_1_2_choice_3 when slice1window_tag_output_column else
         slice1other_cost_1_2_choice_2;
       slice1other_cost_2_0_is_not_less := slice1other_cost_2_1 >= slice1window_sum_2_0;
       slice1other_cost_2_0_choice := slice1window_sum_2_0 when slice1other_cost_2_0_is_not_less else
@@ -2509,7 +2507,7 @@ begin
       slice1other_cost_2_0_choice_2 := slice1other_cost_2_0_choice when slice0winner1_tag_valid else
         slice1other_cost_2_0;
       slice1other_cost_2_0_choice_3 := slice1other_cost_2_1 when slice0winner1_tag_valid else slice1other_cost_2_0;
-      slice1other_cost_2_0_choice_4 := slice1other_cost_2_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_2_0_choice_4 := slice1other_cost_2_0_choice_2 when slice1window_tag_output_column else
         slice1other_cost_2_0_choice_3;
       slice1other_cost_2_0_choice_5 := slice1window_sum_2_0 when slice0winner1_tag_valid else slice1other_cost_2_0;
       slice1other_cost_2_1_is_not_less := slice1other_cost_2_2 >= slice1window_sum_2_1;
@@ -2518,7 +2516,7 @@ begin
       slice1other_cost_2_1_choice_2 := slice1other_cost_2_1_choice when slice0winner1_tag_valid else
         slice1other_cost_2_1;
       slice1other_cost_2_1_choice_3 := slice1other_cost_2_2 when slice0winner1_tag_valid else slice1other_cost_2_1;
-      slice1other_cost_2_1_choice_4 := slice1other_cost_2_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_2_1_choice_4 := slice1other_cost_2_1_choice_2 when slice1window_tag_output_column else
         slice1other_cost_2_1_choice_3;
       slice1other_cost_2_1_choice_5 := slice1window_sum_2_1 when slice0winner1_tag_valid else slice1other_cost_2_1;
       slice1other_cost_2_2_is_not_less := slice0other_cost_out_2 >= slice1window_sum_2_2;
@@ -2526,7 +2524,7 @@ begin
       slice1other_cost_2_2_choice_2 := slice0other_cost_out_2 when slice0winner1_tag_valid else slice1other_cost_2_2;
       slice1other_cost_2_2_choice_3 := slice1other_cost_2_2_choice when slice1other_cost_2_2_is_not_less else
         slice1other_cost_2_2_choice_2;
-      slice1other_cost_2_2_choice_4 := slice1other_cost_2_2_choice_3 when slice0winner1_tag_output_column else
+      slice1other_cost_2_2_choice_4 := slice1other_cost_2_2_choice_3 when slice1window_tag_output_column else
         slice1other_cost_2_2_choice_2;
       slice1other_cost_3_0_is_not_less := slice1other_cost_3_1 >= slice1window_sum_3_0;
       slice1other_cost_3_0_choice := slice1window_sum_3_0 when slice1other_cost_3_0_is_not_less else
@@ -2534,7 +2532,7 @@ begin
       slice1other_cost_3_0_choice_2 := slice1other_cost_3_0_choice when slice0winner1_tag_valid else
         slice1other_cost_3_0;
       slice1other_cost_3_0_choice_3 := slice1other_cost_3_1 when slice0winner1_tag_valid else slice1other_cost_3_0;
-      slice1other_cost_3_0_choice_4 := slice1other_cost_3_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_3_0_choice_4 := slice1other_cost_3_0_choice_2 when slice1window_tag_output_column else
         slice1other_cost_3_0_choice_3;
       slice1other_cost_3_0_choice_5 := slice1window_sum_3_0 when slice0winner1_tag_valid else slice1other_cost_3_0;
       slice1other_cost_3_1_is_not_less := slice1other_cost_3_2 >= slice1window_sum_3_1;
@@ -2543,7 +2541,7 @@ begin
       slice1other_cost_3_1_choice_2 := slice1other_cost_3_1_choice when slice0winner1_tag_valid else
         slice1other_cost_3_1;
       slice1other_cost_3_1_choice_3 := slice1other_cost_3_2 when slice0winner1_tag_valid else slice1other_cost_3_1;
-      slice1other_cost_3_1_choice_4 := slice1other_cost_3_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_cost_3_1_choice_4 := slice1other_cost_3_1_choice_2 when slice1window_tag_output_column else
         slice1other_cost_3_1_choice_3;
       slice1other_cost_3_1_choice_5 := slice1window_sum_3_1 when slice0winner1_tag_valid else slice1other_cost_3_1;
       slice1other_winner_0_0_choice := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
@@ -2551,7 +2549,7 @@ begin
         slice1other_winner_0_0;
       slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
         slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice1window_tag_output_column else
         slice1other_winner_0_0_choice_3;
       slice1other_winner_0_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_0_0;
       slice1other_winner_0_1_choice := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
@@ -2559,7 +2557,7 @@ begin
         slice1other_winner_0_1;
       slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
         slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice1window_tag_output_column else
         slice1other_winner_0_1_choice_3;
       slice1other_winner_0_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_0_1;
       slice1other_winner_0_2_choice := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
@@ -2567,7 +2565,7 @@ begin
         slice1other_winner_0_2;
       slice1other_winner_0_2_choice_3 := slice0other_winner_out_0 when slice0winner1_tag_valid else
         slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice_2 when slice1window_tag_output_column else
         slice1other_winner_0_2_choice_3;
       slice1other_winner_0_2_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_0_2;
       slice1other_winner_1_0_choice := 2 when slice1other_cost_1_0_is_not_less else slice1other_winner_1_1;
@@ -2575,7 +2573,7 @@ begin
         slice1other_winner_1_0;
       slice1other_winner_1_0_choice_3 := slice1other_winner_1_1 when slice0winner1_tag_valid else
         slice1other_winner_1_0;
-      slice1other_winner_1_0_choice_4 := slice1other_winner_1_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_1_0_choice_4 := slice1other_winner_1_0_choice_2 when slice1window_tag_output_column else
         slice1other_winner_1_0_choice_3;
       slice1other_winner_1_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_1_0;
       slice1other_winner_1_1_choice := 3 when slice1other_cost_1_1_is_not_less else slice1other_winner_1_2;
@@ -2583,7 +2581,7 @@ begin
         slice1other_winner_1_1;
       slice1other_winner_1_1_choice_3 := slice1other_winner_1_2 when slice0winner1_tag_valid else
         slice1other_winner_1_1;
-      slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice_2 when slice1window_tag_output_column else
         slice1other_winner_1_1_choice_3;
       slice1other_winner_1_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_1_1;
       slice1other_winner_1_2_choice := 4 when slice1other_cost_1_2_is_not_less else slice0other_winner_out_1;
@@ -2591,7 +2589,7 @@ begin
         slice1other_winner_1_2;
       slice1other_winner_1_2_choice_3 := slice0other_winner_out_1 when slice0winner1_tag_valid else
         slice1other_winner_1_2;
-      slice1other_winner_1_2_choice_4 := slice1other_winner_1_2_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_1_2_choice_4 := slice1other_winner_1_2_choice_2 when slice1window_tag_output_column else
         slice1other_winner_1_2_choice_3;
       slice1other_winner_1_2_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_1_2;
       slice1other_winner_2_0_choice := 2 when slice1other_cost_2_0_is_not_less else slice1other_winner_2_1;
@@ -2599,7 +2597,7 @@ begin
         slice1other_winner_2_0;
       slice1other_winner_2_0_choice_3 := slice1other_winner_2_1 when slice0winner1_tag_valid else
         slice1other_winner_2_0;
-      slice1other_winner_2_0_choice_4 := slice1other_winner_2_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_2_0_choice_4 := slice1other_winner_2_0_choice_2 when slice1window_tag_output_column else
         slice1other_winner_2_0_choice_3;
       slice1other_winner_2_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_2_0;
       slice1other_winner_2_1_choice := 3 when slice1other_cost_2_1_is_not_less else slice1other_winner_2_2;
@@ -2607,7 +2605,7 @@ begin
         slice1other_winner_2_1;
       slice1other_winner_2_1_choice_3 := slice1other_winner_2_2 when slice0winner1_tag_valid else
         slice1other_winner_2_1;
-      slice1other_winner_2_1_choice_4 := slice1other_winner_2_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_2_1_choice_4 := slice1other_winner_2_1_choice_2 when slice1window_tag_output_column else
         slice1other_winner_2_1_choice_3;
       slice1other_winner_2_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_2_1;
       slice1other_winner_2_2_choice := 4 when slice1other_cost_2_2_is_not_less else slice0other_winner_out_2;
@@ -2615,7 +2613,7 @@ begin
         slice1other_winner_2_2;
       slice1other_winner_2_2_choice_3 := slice0other_winner_out_2 when slice0winner1_tag_valid else
         slice1other_winner_2_2;
-      slice1other_winner_2_2_choice_4 := slice1other_winner_2_2_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_2_2_choice_4 := slice1other_winner_2_2_choice_2 when slice1window_tag_output_column else
         slice1other_winner_2_2_choice_3;
       slice1other_winner_2_2_choice_5 := 4 when slice0winner1_tag_valid else slice1other_winner_2_2;
       slice1other_winner_3_0_choice := 2 when slice1other_cost_3_0_is_not_less else slice1other_winner_3_1;
@@ -2623,7 +2621,7 @@ begin
         slice1other_winner_3_0;
       slice1other_winner_3_0_choice_3 := slice1other_winner_3_1 when slice0winner1_tag_valid else
         slice1other_winner_3_0;
-      slice1other_winner_3_0_choice_4 := slice1other_winner_3_0_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_3_0_choice_4 := slice1other_winner_3_0_choice_2 when slice1window_tag_output_column else
         slice1other_winner_3_0_choice_3;
       slice1other_winner_3_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_3_0;
       slice1other_winner_3_1_choice := 3 when slice1other_cost_3_1_is_not_less else slice1other_winner_3_2;
@@ -2631,7 +2629,7 @@ begin
         slice1other_winner_3_1;
       slice1other_winner_3_1_choice_3 := slice1other_winner_3_2 when slice0winner1_tag_valid else
         slice1other_winner_3_1;
-      slice1other_winner_3_1_choice_4 := slice1other_winner_3_1_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_3_1_choice_4 := slice1other_winner_3_1_choice_2 when slice1window_tag_output_column else
         slice1other_winner_3_1_choice_3;
       slice1other_winner_3_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_3_1;
       slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice1other_cost_0_0_any else
@@ -2689,10 +2687,10 @@ begin
       slice1other_cost_3_2_is_not_less := slice0other_cost_out_3 >= slice1window_sum_3_2;
       slice1other_cost_3_2_choice := slice1window_sum_3_2 when slice1other_cost_3_2_is_not_less else
         slice0other_cost_out_3;
-      slice1other_cost_3_2_choice_2 := slice1other_cost_3_2_choice when slice0winner1_tag_output_column else
+      slice1other_cost_3_2_choice_2 := slice1other_cost_3_2_choice when slice1window_tag_output_column else
         slice0other_cost_out_3;
       slice1other_winner_3_2_choice := 4 when slice1other_cost_3_2_is_not_less else slice0other_winner_out_3;
-      slice1other_winner_3_2_choice_2 := slice1other_winner_3_2_choice when slice0winner1_tag_output_column else
+      slice1other_winner_3_2_choice_2 := slice1other_winner_3_2_choice when slice1window_tag_output_column else
         slice0other_winner_out_3;
       if slice0winner1_tag_valid then
         slice1other_cost_3_2 <= slice1other_cost_3_2_choice_2 when slice1other_cost_0_0_any else slice1window_sum_3_2;
@@ -4716,6 +4714,7 @@ begin
         slice0winner1_but_last_3_0 <= 0;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_map_column <= false;
+        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
         slice0winner2_cost_0_0 <= 0;
@@ -4918,7 +4917,6 @@ begin
         slice1window_sum_3_0 <= 0;
         slice1window_sum_3_1 <= 0;
         slice1window_sum_3_2 <= 0;
-        slice1window_tag_output_column <= false;
         slice1winner1_cost_0_0 <= 0;
         slice1winner1_cost_0_1 <= 0;
         slice1winner1_cost_1_0 <= 0;
