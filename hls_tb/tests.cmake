@@ -39,7 +39,8 @@ add_executable(
   support/small_cores_with_options.cpp
   vectors/stimulus_test.cpp
   vectors/vector_files_test.cpp)
-target_compile_definitions(stereo_tests PRIVATE "STEREO_CONFIGURATIONS=\"${STEREO_CONFIGURATIONS}\"")
+list(JOIN STEREO_CONFIGURATIONS " " built_configurations)
+target_compile_definitions(stereo_tests PRIVATE "STEREO_CONFIGURATIONS=\"${built_configurations}\"")
 target_link_libraries(stereo_tests PRIVATE stereo_configurations stereo_test_support stereo_warnings)
 gtest_discover_tests(stereo_tests DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit TIMEOUT 600)
 

@@ -24,7 +24,9 @@ class VideoSource : public FrameSource {
    VideoSource(const std::string& option, const std::string& path) : name_(option + " " + path) {
       const SilentStderr silent;
       try {
-         video_.open(path);
+         // Not whatever else OpenCV has: some of that looks for cameras first.
+         for (const int reader : {cv::CAP_IMAGES, cv::CAP_FFMPEG})
+            if (video_.open(path, reader)) break;
          if (video_.isOpened()) video_.read(waiting_);
       } catch (const cv::Exception&) {
          waiting_.release();
