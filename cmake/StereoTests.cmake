@@ -3,7 +3,7 @@
 #   unit   no hardware tool
 #   cosim  GHDL; some also Verilator, yosys with yosys-abc, cocotb or FuseSoC (both from PyPI)
 #   synth  GHDL with Bambu, or with yosys and nextpnr (from PyPI)
-#   slow   stands beside one of the others: takes many minutes
+#   slow   takes many minutes; mostly beside one of the others
 
 # stereo_add_pytest(NAME <test> FILE <file.py> [LABELS <label>...] [TIMEOUT <seconds>])
 #
