@@ -152,7 +152,7 @@ that the co-simulation compared with those of the C++ core, of some rows in GHDL
 build/release/stereo_hls scene --config NAME --seed 1 --out build/scenes/NAME
 scripts/cosim.py --config NAME --left build/scenes/NAME/left.png --right build/scenes/NAME/right.png --rows 16 --record
 scripts/cosim.py --config NAME --left build/scenes/NAME/left.png --right build/scenes/NAME/right.png --simulator verilator --record
-scripts/implement.py --config NAME --target ecp5 --seeds 1
+scripts/implement.py --config NAME --target ecp5 --target cyclonev --seeds 1
 ```
 
 {systems}
