@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that need no page of their own.
+// The commands without a header of their own.
 #pragma once
 
 #include <CLI/App.hpp>

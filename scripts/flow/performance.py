@@ -161,7 +161,8 @@ scripts/implement.py --config NAME --target ecp5 --target cyclonev --seeds 1
 """
 
 
-def _compared(run):
+def compared(run):
+    """Of one simulator, as cosim_record keeps it."""
     return UNKNOWN if run is None else f"{run['compared']:,} of {run['expected']:,}, {run['mismatches']:,} differ"
 
 
@@ -178,7 +179,7 @@ def systems(make=Configuration):
         rows.append([
             system, what, number(published), source, code(name), number(figures.clocks_per_frame(c.parameters)),
             number(c.manifest["tool_report"]["register_bits"]), number(c.manifest["tool_report"]["memory_bits"]),
-            *(_compared(c.cosimulations.get(simulator)) for simulator in ("ghdl", "verilator")),
+            *(compared(c.cosimulations.get(simulator)) for simulator in ("ghdl", "verilator")),
             number(figures.lut_count(area)) if area else UNKNOWN, number(cyclone and cyclone["aluts"]), number(clock.get("frames_per_second"))])
     head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "compared in GHDL",
             "compared in Verilator", "LUT4", "ALUTs", "frames a second on ECP5"]
