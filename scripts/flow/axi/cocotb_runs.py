@@ -57,7 +57,8 @@ class Ghdl:
         run([find_ghdl(), "-a", GHDL_STANDARD, *self.files], cwd=self.work, log=self.work / "analyse.log")
 
     def run(self, module, seed, out, tests=None, pairs=PAIRS, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
-        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `pool_folder`: a folder that make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
+        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `pool_folder`: a folder that
+        make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
         out = Path(out).resolve()
         out.mkdir(parents=True, exist_ok=True)
         self._write_pool(out, pool_folder, pairs, seed)
