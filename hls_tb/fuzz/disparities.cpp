@@ -3,21 +3,13 @@
 #include "app/errors.hpp"
 #include "app/masks.hpp"
 #include "app/measures.hpp"
-#include "app/pfm.hpp"
+#include "fuzz/map_promises.hpp"
 #include "fuzz/memory_file.hpp"
-#include "fuzz/targets.hpp"
 
 namespace stereo::fuzz {
 namespace {
 
 constexpr std::size_t kMostPixels = 4096;  ///< that are evaluated: more only take time
-
-void check(const app::DisparityImage& map) {
-   promise(map.width >= 1 && map.height >= 1, "a map has pixels");
-   promise(map.px.size() == std::size_t(map.width) * std::size_t(map.height), "a map has all its pixels");
-   for (const float value : map.px)
-      promise(!app::has_disparity(value) || std::abs(value) <= app::kLargestDisparity, "a disparity is in range");
-}
 
 void evaluate(const app::DisparityImage& map) {
    for (const Reference side : {Reference::left, Reference::right})
@@ -37,7 +29,7 @@ bool disparities(std::string_view bytes) {
    for (const double scale : {1.0, 4.0, 1e-6, 1e-300}) try {
          const app::DisparityImage map = app::load_disparities("--truth-left", file.path(), scale);
          taken = true;
-         check(map);
+         check_map(map);
          if (map.px.size() <= kMostPixels) evaluate(map);
       } catch (const app::InputError& refusal) {
          check_refusal(refusal, "--truth-left " + file.path() + ": ");

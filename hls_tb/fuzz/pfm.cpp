@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pfm.hpp"
 
-#include "fuzz/targets.hpp"
+#include "fuzz/map_promises.hpp"
 
 namespace stereo::fuzz {
 
@@ -13,10 +13,7 @@ bool pfm(std::string_view bytes) {
       check_refusal(refusal, "it");
       return false;
    }
-   promise(image.width >= 1 && image.height >= 1, "a map has pixels");
-   promise(image.px.size() == std::size_t(image.width) * std::size_t(image.height), "a map has all its pixels");
-   for (const float value : image.px)
-      promise(!app::has_disparity(value) || std::abs(value) <= app::kLargestDisparity, "a disparity is in range");
+   check_map(image);
    return true;
 }
 

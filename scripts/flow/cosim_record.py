@@ -4,7 +4,6 @@
 import json
 
 from . import files, json_files, manifest
-from .errors import FlowError
 from .tools import GENERATED_RTL
 
 FILE = "cosimulation.json"
@@ -24,14 +23,11 @@ def keep(report):
 def read(directory, entry):
     """{simulator: what is kept of its report} of the VHDL that the manifest `entry` describes; those of other VHDL do not count."""
     path = directory / FILE
-    try:
-        content = json_files.load(path)
-    except FileNotFoundError:
+    content = json_files.load_result(path, FORMAT)
+    if content is None:
         return {}
-    except (OSError, ValueError) as error:
-        raise FlowError(f"damaged {path}: {getattr(error, 'strerror', None) or error}") from None
-    runs = content.get("runs") if isinstance(content, dict) and content.get("format") == FORMAT else None
+    runs = content.get("runs")
     if not isinstance(runs, dict) or not all(
             isinstance(run, dict) and all(isinstance(run.get(key), kind) for key, kind in _KEPT.items()) for run in runs.values()):
-        raise FlowError(f"damaged {path}: not of format '{FORMAT}'")
+        raise json_files.damaged(path, FORMAT)
     return runs if content.get("vhdl_digest") == entry["files"] else {}

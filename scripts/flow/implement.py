@@ -40,14 +40,9 @@ def has_vhdl(name):
 def read(directory):
     """implementation.json of a folder, or None when there is none."""
     path = Path(directory) / FILE
-    try:
-        result = json_files.load(path)
-    except FileNotFoundError:
-        return None
-    except (OSError, ValueError) as error:
-        raise FlowError(f"damaged {path}: {getattr(error, 'strerror', None) or error}") from None
-    if not isinstance(result, dict) or result.get("format") != FORMAT or not all(isinstance(result.get(key), dict) for key in ("targets", "vhdl_digest")):
-        raise FlowError(f"damaged {path}: not of format '{FORMAT}'")
+    result = json_files.load_result(path, FORMAT)
+    if result is not None and not all(isinstance(result.get(key), dict) for key in ("targets", "vhdl_digest")):
+        raise json_files.damaged(path, FORMAT)
     return result
 
 

@@ -4,6 +4,8 @@
 import json
 from pathlib import Path
 
+from .errors import FlowError
+
 
 def load(path):
     """The content of a JSON file. Raises OSError, or ValueError with one sentence on what cannot be read or written again."""
@@ -13,3 +15,20 @@ def load(path):
     except RecursionError:
         raise ValueError("nested too deeply") from None
     return content
+
+
+def load_result(path, form):
+    """The object of a result file that names its format, or None when there is no such file."""
+    try:
+        content = load(path)
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError) as error:
+        raise FlowError(f"damaged {path}: {getattr(error, 'strerror', None) or error}") from None
+    if not isinstance(content, dict) or content.get("format") != form:
+        raise damaged(path, form)
+    return content
+
+
+def damaged(path, form):
+    return FlowError(f"damaged {path}: not of format '{form}'; remove it, and make it again")
