@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
+include(GoogleTest)
+
 # ctest labels, and the tools that their tests need:
 #   unit   no hardware tool
 #   cosim  GHDL; some also Verilator, yosys with yosys-abc, cocotb or FuseSoC (both from PyPI)
@@ -21,6 +23,24 @@ function(stereo_add_pytest)
                TIMEOUT ${arg_TIMEOUT}
                SKIP_RETURN_CODE 77
                ENVIRONMENT "STEREO_HLS=$<TARGET_FILE:stereo_hls>;STEREO_SOURCE_DIR=${PROJECT_SOURCE_DIR}")
+endfunction()
+
+# stereo_add_unit_tests(LINK <library>... FILES <file>...)
+#
+# A program for each file of GoogleTest cases, named after its path without "_test.cpp": blocks/cost/sad_cost_test.cpp
+# becomes blocks_cost_sad_cost_test.
+function(stereo_add_unit_tests)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "LINK;FILES")
+  foreach(file IN LISTS arg_FILES)
+    string(REGEX REPLACE "\\.cpp$" "" name "${file}")
+    string(REPLACE "/" "_" name "${name}")
+    add_executable(${name} "${file}")
+    target_include_directories(${name} SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
+    target_link_libraries(${name} PRIVATE ${arg_LINK})
+    target_precompile_headers(${name} REUSE_FROM stereo_testing)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS unit TIMEOUT 600)
+  endforeach()
 endfunction()
 
 # stereo_add_rejected_source(NAME <test> SOURCE <file.cpp> DEFINITION <macro=value> MESSAGE <regular expression>)

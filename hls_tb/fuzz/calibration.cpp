@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/calibration.hpp"
+#include "program/depth/calibration.hpp"
 
-#include "app/depth.hpp"
-#include "app/errors.hpp"
-#include "app/rectification.hpp"
 #include "fuzz/memory_file.hpp"
 #include "fuzz/targets.hpp"
+#include "program/depth/depth.hpp"
+#include "program/depth/rectification.hpp"
+#include "program/errors.hpp"
 
 namespace stereo::fuzz {
 namespace {

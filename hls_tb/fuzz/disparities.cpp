@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/disparity_files.hpp"
-#include "app/errors.hpp"
-#include "app/masks.hpp"
-#include "app/measures.hpp"
 #include "fuzz/map_promises.hpp"
 #include "fuzz/memory_file.hpp"
+#include "program/errors.hpp"
+#include "program/evaluation/masks.hpp"
+#include "program/evaluation/measures.hpp"
+#include "program/io/disparity_files.hpp"
 
 namespace stereo::fuzz {
 namespace {

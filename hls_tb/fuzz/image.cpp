@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/errors.hpp"
-#include "app/images.hpp"
-#include "app/masks.hpp"
-#include "app/overview.hpp"
+#include "definition/block_matching/models.hpp"
 #include "fuzz/memory_file.hpp"
 #include "fuzz/targets.hpp"
-#include "models/fast_model.hpp"
+#include "program/errors.hpp"
+#include "program/evaluation/masks.hpp"
+#include "program/io/images.hpp"
+#include "program/io/overview.hpp"
 
 namespace stereo::fuzz {
 namespace {
@@ -15,13 +15,14 @@ constexpr int kWidth = 32, kHeight = 12;
 
 /// As `stereo_hls match` does with a pair of any size.
 void match_any_size(const ImagePair& pair) {
-   const MatchingParameters parameters{.disparities = 4, .left_right_threshold = 1};
+   const block_matching::Matching parameters{.disparities = 4, .left_right_threshold = 1};
    if (map_width(pair.left.width, parameters) < 1) return;
    const DisparityMap map = match_fast(pair.left, pair.right, parameters);
    promise(map.width == map_width(pair.left.width, parameters) && map.height == pair.left.height,
            "a map has the size that follows from its images");
-   for (const std::string& png : {app::encode_png(map), app::encode_color_png(map, parameters.disparities),
-                                  app::encode_valid_png(map), app::encode_overview_png(pair, map, parameters)})
+   for (const std::string& png :
+        {app::encode_png(map), app::encode_color_png(map, parameters.disparities), app::encode_valid_png(map),
+         app::encode_overview_png(pair, map, map_geometry(parameters, pair.left.width))})
       promise(!png.empty(), "a map can be written as a picture");
 }
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "app/pfm.hpp"
 #include "fuzz/targets.hpp"
+#include "program/io/pfm.hpp"
 
 namespace stereo::fuzz {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/pfm.hpp"
+#include "program/io/pfm.hpp"
 
 #include "fuzz/map_promises.hpp"
 

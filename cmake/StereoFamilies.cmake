@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+# stereo_add_family(NAME <family> SOURCES <folder> MODELS <header> LINK <library>)
+#
+# Makes the named configurations of a family known to all programs. In the folder (from the project's root; on its include
+# path, beside hls/) stands <family>/family.hpp with the core, and <family>/configurations.hpp with the rows. <header>, seen
+# from hls_tb/: the family's models, compiled in the library.
+#
+# For each row core_<name>, a module with the clocked core, is made in the folder `cores` of the build; `cores` are all of
+# them.
+function(stereo_add_family)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SOURCES;MODELS;LINK" "")
+  set(folder "${PROJECT_SOURCE_DIR}/${arg_SOURCES}")
+  set(table "${folder}/${arg_NAME}/configurations.hpp")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${table}")
+  file(STRINGS "${table}" rows REGEX "^STEREO_ROW\\(")
+  set(entries "")
+  foreach(row IN LISTS rows)
+    string(REGEX MATCH "^STEREO_ROW\\(([a-z0-9_]+), ([a-z]+)," matched "${row}")
+    if(NOT matched)
+      message(FATAL_ERROR "${table}: a row begins STEREO_ROW(name, use, base, but one begins ${row}")
+    endif()
+    set(name "${CMAKE_MATCH_1}")
+    string(APPEND entries "   table.push_back(configuration_entry<${arg_NAME}::Core<${arg_NAME}::configurations::${name}>>("
+           "\"${name}\", \"${CMAKE_MATCH_2}\", \"${arg_NAME}\", \"${arg_SOURCES}\"));\n")
+    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} FOLDER "${folder}")
+    add_dependencies(cores core_${name})
+  endforeach()
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp" @ONLY CONTENT
+"// Made by CMake from ${arg_SOURCES}/${arg_NAME}/configurations.hpp.
+#include \"${arg_MODELS}\"
+#include \"${arg_NAME}/family.hpp\"
+#include \"engines/configurations.hpp\"
+
+namespace stereo {
+void add_${arg_NAME}_configurations(std::vector<Configuration>& table);
+void add_${arg_NAME}_configurations(std::vector<Configuration>& table) {
+${entries}}
+}  // namespace stereo
+")
+  target_sources(stereo_configurations PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp")
+  target_include_directories(stereo_configurations PRIVATE "${folder}")
+  target_link_libraries(stereo_configurations PUBLIC ${arg_LINK})
+  set_property(GLOBAL APPEND PROPERTY STEREO_FAMILIES add_${arg_NAME}_configurations)
+endfunction()
+
+# stereo_add_core(NAME <configuration> FAMILY <family> FOLDER <folder>): the module of one configuration.
+function(stereo_add_core)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;FAMILY;FOLDER" "")
+  add_library(core_${arg_NAME} MODULE EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/hls_tb/engines/clocked/core_module.cpp")
+  target_compile_definitions(core_${arg_NAME} PRIVATE STEREO_FAMILY=${arg_FAMILY} STEREO_CONFIGURATION=${arg_NAME})
+  target_include_directories(core_${arg_NAME} PRIVATE "${arg_FOLDER}" "${PROJECT_SOURCE_DIR}/hls" "${PROJECT_SOURCE_DIR}/hls_tb")
+  target_link_libraries(core_${arg_NAME} PRIVATE stereo_warnings)
+  set_target_properties(core_${arg_NAME} PROPERTIES PREFIX "" OUTPUT_NAME ${arg_NAME} LIBRARY_OUTPUT_DIRECTORY
+                                                                                      "${PROJECT_BINARY_DIR}/cores")
+endfunction()
+
+# Writes the list of families that stereo_configurations reads. Call it behind all stereo_add_family.
+function(stereo_write_families)
+  get_property(families GLOBAL PROPERTY STEREO_FAMILIES)
+  list(TRANSFORM families REPLACE "^.+$" "CALL(\\0)")
+  list(JOIN families " " calls)
+  file(CONFIGURE OUTPUT families.hpp CONTENT "#define STEREO_FAMILIES(CALL) ${calls}\n")
+  target_include_directories(stereo_configurations PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
+endfunction()

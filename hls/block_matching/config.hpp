@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "block_matching/matching.hpp"
+#include "support/image.hpp"
+
+namespace stereo::block_matching {
+
+/// How the core is built. None of it changes a result; docs/features.md shows what each costs and gives.
+struct Structure {
+   Aggregation aggregation = Aggregation::direct;
+   int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
+   int cost_clocks = 3;   ///< of direct SAD sums, 1: all in one clock; 2: differences apart; 3: each addition apart
+   int winner_group = 2;  ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      visit("aggregation", self.aggregation);
+      visit("slice_disparities", self.slice_disparities, 2, kUnlimited, "the number of disparities of a slice");
+      visit("cost_clocks", self.cost_clocks, 1, 3, "the number of clocks of the cost");
+      visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
+   }
+};
+
+/// One hardware configuration of the block-matching core. Every block is a template over one; the named ones are in
+/// configurations.hpp.
+struct Config : Image, Matching, Structure {
+   // The window around (x,y) covers the rows y-rows_above() ... y+rows_below(), and as many columns: with a left
+   // reference mirrored.
+   constexpr int rows_above() const { return window_px / 2; }
+   constexpr int rows_below() const { return (window_px - 1) / 2; }
+   /// Columns of a window that come in after its centre's.
+   constexpr int columns_after() const { return reference == Reference::right ? rows_below() : rows_above(); }
+
+   // The images meet with an offset: when column t of the image that is ahead comes in, the cost column of the
+   // reference's column t - reference_delay() is complete.
+   constexpr int reference_delay() const { return at_least_0(reference_offset()); }
+   /// Columns by which the other image, the one that is searched, is held back.
+   constexpr int search_delay() const { return at_least_0(-reference_offset()); }
+   /// The column with which the first cost column of a row is complete.
+   constexpr int first_cost_column() const { return larger(reference_delay(), disparities - 1 + search_delay()); }
+   constexpr int cost_columns() const { return width_px - first_cost_column(); }
+   /// The column with which the first window centre of a row that belongs to the map is there: the map leaves out the
+   /// last cost column of the right, the first one of the left reference.
+   constexpr int first_map_column() const { return first_cost_column() + (reference == Reference::left ? 1 : 0); }
+   /// Disparity maps are as wide as there are cost columns, but for the last one (Ambrosch et al., section 4).
+   constexpr int output_width_px() const { return cost_columns() - 1; }
+   constexpr int output_height_px() const { return height_px; }
+   /// Column of the reference image of the map's first column.
+   constexpr int output_first_column() const { return first_map_column() - reference_delay(); }
+
+   /// Largest cost of one pair of pixels.
+   constexpr int largest_pixel_cost() const {
+      const int largest_difference = prefilter == Prefilter::xsobel ? 2 * prefilter_cap : 255;
+      return cost == Cost::census ? census_width_px * census_height_px - 1
+             : cost == Cost::ssd  ? largest_difference * largest_difference
+                                  : largest_difference;
+   }
+   constexpr int largest_column_cost() const { return largest_pixel_cost() * window_px; }
+   constexpr int largest_window_cost() const { return largest_column_cost() * window_px; }
+   /// Bits of one disparity in the hardware's output word.
+   constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
+   constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
+   /// Disparities of the largest slice: a rest of one joins the slice before it, as a tree compares at least two.
+   constexpr int largest_slice() const {
+      if (disparities <= slice_disparities + 1) return disparities;
+      return disparities % slice_disparities == 1 ? slice_disparities + 1 : slice_disparities;
+   }
+
+   // Rows travel in groups of P. The windows of a group are complete when the rows below it have come, that is
+   // delay_groups later.
+   constexpr int delay_groups() const { return (rows_below() + pixels_per_clock - 1) / pixels_per_clock; }
+   /// Rows from the highest that the windows of one group need. Recursive sums need the row that leaves the windows.
+   constexpr int top_row() const { return -rows_above() - (aggregation == Aggregation::recursive ? 1 : 0); }
+   /// Rows that line memories must keep; the rows after them have just come in.
+   constexpr int stored_rows() const { return delay_groups() * pixels_per_clock - top_row(); }
+   /// Rows whose pixels are compared. Direct: all that the windows cover. Recursive: P that leave and P that enter.
+   constexpr int tap_rows() const {
+      return aggregation == Aggregation::recursive ? 2 * pixels_per_clock : pixels_per_clock + window_px - 1;
+   }
+   /// Row of tap t, counted from top_row().
+   constexpr int tap_row(int t) const {
+      return aggregation == Aggregation::recursive && t >= pixels_per_clock ? window_px + t - pixels_per_clock : t;
+   }
+
+   /// Bits of what is compared: of a grey value, a filtered pixel or a census transform.
+   constexpr int feature_bits() const {
+      return cost == Cost::census ? census_width_px * census_height_px - 1 : prefilter == Prefilter::xsobel ? 7 : 8;
+   }
+   constexpr bool has_transform() const { return cost == Cost::census || prefilter != Prefilter::none; }
+   // Rows and columns on each side of a pixel that its transform needs, and groups of rows that it waits for.
+   constexpr int transform_rows() const { return cost == Cost::census ? census_height_px / 2 : 1; }
+   constexpr int transform_columns() const { return cost == Cost::census ? census_width_px / 2 : 1; }
+   constexpr int transform_groups() const { return (transform_rows() + pixels_per_clock - 1) / pixels_per_clock; }
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      Image::options(self, visit);
+      Matching::options(self, visit);
+      Structure::options(self, visit);
+   }
+
+   /// Why this core cannot be built; empty when it can. Each block relies on it instead of repeating it.
+   constexpr Sentence problem() const {
+      if (const Sentence sentence = Image::problem(); !sentence.empty()) return sentence;
+      if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
+      if (const Sentence limit = first_beyond_limits<Structure>(*this); !limit.empty()) return limit;
+      if (window_px < 2 || window_px > 31) return "the matching window must be 2x2 ... 31x31 pixels";
+      if (height_px < window_px) return "the image height must be window_px ... 4096 pixels";
+      if (disparities < 2) return "the disparity range must be 2 ... 256";
+      if (width_px <= disparities) return "the image must be wider than the disparity range";
+      if (min_disparity < -width_px || min_disparity > width_px || cost_columns() < 2)
+         return "the disparity range lies outside the image";
+      if (first_cost_column() < window_px / 2) return "the disparity range must exceed the window's radius";
+      if (row_groups() <= delay_groups()) return "the image must be higher than the rows that a window waits for";
+      if (has_transform() && row_groups() <= transform_groups())
+         return "the image must be higher than the rows that a transform waits for";
+      if (median && row_groups() <= 1) return "the image must be higher than the row that a median waits for";
+      if (largest_window_cost() >= 1 << 26) return "window costs must stay below 2^26";
+      if (has_uniqueness_check() && largest_window_cost() >= 1 << 24)
+         return "with a uniqueness check window costs must stay below 2^24";
+      return {};
+   }
+
+  private:
+   static constexpr int at_least_0(int value) { return value < 0 ? 0 : value; }
+   static constexpr int larger(int a, int b) { return a < b ? b : a; }
+   /// Columns by which the reference must lag behind the searched image, for the newest searched pixel to be the match
+   /// at one end of the disparity range.
+   constexpr int reference_offset() const {
+      return reference == Reference::right ? disparities - 1 + min_disparity : -min_disparity;
+   }
+};
+
+}  // namespace stereo::block_matching

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cost/column_cost.hpp"
+#include "cost/disparity_shift.hpp"
+#include "cost/window_sum.hpp"
+#include "winner/candidate.hpp"
+#include "winner/diagonal_minimum.hpp"
+#include "winner/winner_tree.hpp"
+
+namespace stereo::block_matching {
+
+/// The slices for the last `Disparities` disparities that the searched pixels meet. Each slice holds the shift, cost,
+/// window and winner blocks of up to C.slice_disparities disparities and works one clock behind the slice before it,
+/// from which it gets the pixels and the best candidate so far. The first slice has the highest disparities where the
+/// reference is the right image, the lowest where it is the left one.
+template <const auto& C, int Disparities = C.disparities, int Number = 0>
+struct DisparitySlice {
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kTaps = C.tap_rows();
+   static constexpr bool kFalls = C.reference == Reference::right;
+   /// A rest of one disparity joins the slice before it: a tree compares at least two.
+   static constexpr int kCount = Disparities <= C.slice_disparities + 1 ? Disparities : C.slice_disparities;
+   static constexpr int kRest = Disparities - kCount;
+   static constexpr int kFirst = kFalls ? kRest : C.disparities - Disparities;  ///< lowest disparity here
+   static constexpr bool kIsLast = kRest == 0;
+   static constexpr bool kIsNone = false;
+   using Next = DisparitySlice<C, kRest, Number + 1>;
+   using Shift = DisparityShift<C, kCount>;
+   using Column = ColumnBlock<C, kCount>;
+   using Window = WindowBlock<C, kCount>;
+   static constexpr int kLevels = winner_levels(C.largest_slice(), C.winner_group);
+   using Winner = WinnerTree<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
+   static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
+   /// From the rows' arrival at this slice to the best candidate of all slices: a clock for each slice behind this one,
+   /// the blocks of the last slice, and the comparison with the slice before it.
+   static constexpr int kClocks = [] {
+      if constexpr (kIsLast) return Shift::kClocks + Column::kClocks + Window::kClocks + Winner::kClocks + 1;
+      else return 1 + Next::kClocks;
+   }();
+
+   Shift shift;
+   Column cost;
+   Window window;
+   DiagonalMinimum<C, (C.has_left_right_check() ? kCount : 1)> other;
+   Winner winner;
+   Candidates<WindowCandidate<C>, kPixels, 1> best;  ///< of this slice and those before it; its index is the disparity
+   PixelTag best_tag;
+   Next next;
+
+   template <class Source, int First>
+   HLS_INLINE DisparitySlice(Source& memories, MemoryId<First> first)
+       : cost(memories, first),
+         window(memories, MemoryId<First + Column::kMemories>()),
+         next(memories, MemoryId<First + Column::kMemories + Window::kMemories>()) {}
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit.block("shift", shift);
+      visit.block("cost", cost);
+      visit.block("window", window);
+      if constexpr (C.has_left_right_check()) visit.block("other", other);
+      winner.levels(visit);
+      visit("best", best);
+      visit("best_tag", best_tag);
+   }
+   /// This slice and those behind it.
+   template <class Visitor>
+   HLS_INLINE void slices(Visitor& visit) {
+      visit.block("slice", *this, Number);
+      next.slices(visit);
+   }
+
+   /// `rival`: the slice before this one, or NoRival.
+   template <class Rival>
+   HLS_INLINE void clock(const Feature<C> (&search)[kTaps], const Feature<C> (&reference)[kTaps], const PixelTag& tag,
+                         const Rival& rival) {
+      next.clock(shift.search_out, shift.reference, shift.tag, *this);
+      const auto& root = winner.root();
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         WindowCandidate<C> here = root.best.get(p, 0);
+         here.index = uint8_t(kFirst + here.index);
+         best.set(p, 0, against(here, rival, p));
+      }
+      best_tag = root.tag;
+      winner.clock(window.sum, window.tag);
+      if constexpr (C.has_left_right_check()) other.clock(window.sum, window.tag, kFirst, rival.other);
+      window.clock(cost);
+      cost.clock(shift);
+      shift.clock(search, reference, tag);
+   }
+
+   HLS_INLINE const auto& last() const {
+      if constexpr (kIsLast) return *this;
+      else return next.last();
+   }
+
+  private:
+   template <class Rival>
+   static HLS_INLINE WindowCandidate<C> against(const WindowCandidate<C>& here, const Rival& rival, int p) {
+      if constexpr (Rival::kIsNone) return here;
+      else if constexpr (kFalls)
+         return WindowCandidate<C>::joined(here, kFirst + kCount - 1, rival.best.get(p, 0), kFirst + kCount);
+      else return WindowCandidate<C>::joined(rival.best.get(p, 0), kFirst - 1, here, kFirst);
+   }
+};
+
+/// Stands before the first slice.
+template <const auto& C>
+struct NoRival {
+   static constexpr bool kIsNone = true;
+   NoDiagonal<C> other;
+};
+
+/// Behind the last slice there are no disparities left.
+template <const auto& C, int Number>
+struct DisparitySlice<C, 0, Number> {
+   static constexpr int kMemories = 0;
+
+   template <class Source, int First>
+   HLS_INLINE DisparitySlice(Source&, MemoryId<First>) {}
+
+   template <class Visitor>
+   HLS_INLINE void slices(Visitor&) {}
+   template <class Rival>
+   HLS_INLINE void clock(const Feature<C> (&)[C.tap_rows()], const Feature<C> (&)[C.tap_rows()], const PixelTag&,
+                         const Rival&) {}
+};
+
+}  // namespace stereo::block_matching

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/matching_options.hpp"
+#include "support/options.hpp"
+
+namespace stereo::block_matching {
+
+/// What block matching computes: docs/algorithm.md defines each option. Models take it with images of any size.
+struct Matching {
+   int disparities = 64;   ///< disparity range D: 0 <= d < D, 1 ... 256 and below the image width
+   int window_px = 3;      ///< side B of the square matching window, 1 or more, odd or even
+   int min_disparity = 0;  ///< m: disparity d stands for m + d pixels
+   Reference reference = Reference::right;
+   Cost cost = Cost::sad;
+   int census_width_px = 5;   ///< 3 ... 9, odd
+   int census_height_px = 5;  ///< 3 ... 7, odd
+   Prefilter prefilter = Prefilter::none;
+   int prefilter_cap = 31;  ///< 1 ... 63; filtered pixels are 0 ... 2*cap
+   Ties ties = Ties::smallest;
+   int left_right_threshold = -1;  ///< largest difference of a consistent pair of disparities, below D; -1: no check
+   int uniqueness_percent = 0;     ///< 0 ... 100; 0: no check
+   int texture_threshold = 0;      ///< 0 ... prefilter_cap * window_px^2; 0: no check
+   bool subpixel = false;          ///< disparities in sixteenths of a pixel
+   bool median = false;            ///< median of 3x3 disparities
+
+   constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
+   constexpr bool has_uniqueness_check() const { return uniqueness_percent > 0; }
+   constexpr bool has_texture_check() const { return texture_threshold > 0; }
+   /// Any of them: without one every pixel is valid.
+   constexpr bool has_check() const { return has_left_right_check() || has_uniqueness_check() || has_texture_check(); }
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      visit("disparities", self.disparities, 1, 256, "the disparity range");
+      visit("window_px", self.window_px, 1, kUnlimited, "the window side");
+      visit("min_disparity", self.min_disparity, -kUnlimited - 1, kUnlimited, "the smallest disparity");
+      visit("reference", self.reference);
+      visit("cost", self.cost);
+      visit("census_width_px", self.census_width_px, 3, 9, "the census window's width");
+      visit("census_height_px", self.census_height_px, 3, 7, "the census window's height");
+      visit("prefilter", self.prefilter);
+      visit("prefilter_cap", self.prefilter_cap, 1, 63, "the prefilter's cap");
+      visit("ties", self.ties);
+      visit("left_right_threshold", self.left_right_threshold, -1, self.disparities - 1, "the left/right threshold");
+      visit("uniqueness_percent", self.uniqueness_percent, 0, 100, "the uniqueness in percent");
+      visit("texture_threshold", self.texture_threshold, 0, self.largest_texture(), "the texture threshold");
+      visit("subpixel", self.subpixel);
+      visit("median", self.median);
+   }
+
+   /// Why nothing can be matched with these options; empty when it can.
+   constexpr Sentence problem() const {
+      if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
+      if (census_width_px % 2 == 0 || census_height_px % 2 == 0) {
+         Sentence sentence = "the census window is ";
+         return sentence << census_width_px << "x" << census_height_px << " but both sides must be odd";
+      }
+      if (cost == Cost::census && prefilter != Prefilter::none) return "the census transform takes no prefilter";
+      if (has_texture_check() && prefilter != Prefilter::xsobel) return "the texture check needs the prefilter";
+      return {};
+   }
+
+  private:
+   /// Of a window; without the prefilter there is no check whose threshold could be too high.
+   constexpr int largest_texture() const {
+      if (prefilter == Prefilter::none || prefilter_cap < 1 || window_px < 1 ||
+          window_px > kUnlimited / prefilter_cap / window_px)
+         return kUnlimited;
+      return prefilter_cap * window_px * window_px;
+   }
+};
+
+}  // namespace stereo::block_matching

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <type_traits>
+
+#include "cost/costs.hpp"
+#include "cost/pixel_cost.hpp"
+#include "cost/sad_cost.hpp"
+#include "support/matching_options.hpp"
+#include "support/memory_bank.hpp"
+#include "support/packed.hpp"
+
+namespace stereo {
+
+/// Sums the costs of a column of B pixels, for P windows one below the other and `Count` disparities. 3 clocks.
+template <const auto& C, int Count>
+struct DirectColumn {
+   static constexpr int kClocks = PixelCost<C, Count>::kClocks + 1;
+   static constexpr int kMemories = 0;
+   static constexpr int kPixels = C.pixels_per_clock;
+
+   PixelCost<C, Count> pixels;
+   ColumnCost<C> column[kPixels][Count];  ///< 0 in the border columns
+   PixelTag tag;
+
+   template <class Source, int Number>
+   HLS_INLINE DirectColumn(Source&, MemoryId<Number>) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("pixels", pixels);
+      visit("column", column);
+      visit("tag", tag);
+   }
+
+   template <class Shift>
+   HLS_INLINE void clock(const Shift& shift) {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         HLS_UNROLL
+         for (int i = 0; i < Count; ++i) {
+            ColumnCost<C> sum = 0;
+            HLS_UNROLL
+            for (int t = p; t < p + C.window_px; ++t) sum = ColumnCost<C>(sum + pixels.cost[t][i]);
+            column[p][i] = select<ColumnCost<C>>(pixels.tag.border_column, 0, sum);
+         }
+      }
+      tag = pixels.tag;
+      pixels.clock(shift);
+   }
+};
+
+/// The same sums from those of the row above: plus the pixel that enters the window, minus the one that leaves it.
+/// 4 clocks. Memory: W x Count x bits of a column cost, which hold the sums of the last row of each group.
+template <const auto& C, int Count>
+struct RecursiveColumn {
+   static constexpr int kClocks = PixelCost<C, Count>::kClocks + 2;
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kCostBits = bits_for(C.largest_column_cost());
+   using Pack = Packed<kCostBits, Count>;
+   static constexpr int kMemories = Pack::kWords;
+   using Word = typename Pack::Word;
+   using Change = int32_t;
+
+   MemoryBank<Word, C.width_px, Pack::kWords> memory;
+   PixelCost<C, Count> pixels;  // clocks 1 and 2
+   uint16_t read_column;        ///< of the columns that pixels.first shows
+   Word read_words[Pack::kWords];
+   uint16_t change_column;         // clock 2: of pixels.cost
+   Change change[kPixels][Count];  // clock 3: what the group's rows up to p add
+   Word ready_words[Pack::kWords];
+   uint16_t ready_column;
+   PixelTag ready_tag;
+   ColumnCost<C> column[kPixels][Count];  // clock 4: 0 in the border columns
+   uint16_t write_column;
+   Word write_words[Pack::kWords];
+   PixelTag tag;
+
+   template <class Source, int Number>
+   HLS_INLINE RecursiveColumn(Source& memories, MemoryId<Number> first) : memory(memories, first) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("pixels", pixels);
+      visit("read_column", read_column);
+      visit("read_words", read_words);
+      visit("change_column", change_column);
+      visit("change", change);
+      visit("ready_words", ready_words);
+      visit("ready_column", ready_column);
+      visit("ready_tag", ready_tag);
+      visit("column", column);
+      visit("write_column", write_column);
+      visit("write_words", write_words);
+      visit("tag", tag);
+   }
+
+   template <class Shift>
+   HLS_INLINE void clock(const Shift& shift) {
+      Word stored[Pack::kWords];
+      memory.read(read_column, stored);
+      memory.write(write_column, write_words);
+      add();
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) {
+         ready_words[w] = read_words[w];
+         read_words[w] = stored[w];
+      }
+      sum_changes();
+      const uint16_t next_column = select<uint16_t>(shift.tag.row_start, 0, uint16_t(read_column + 1));
+      change_column = read_column;
+      read_column = at_most<C.width_px - 1>(select<uint16_t>(shift.tag.valid, next_column, read_column));
+      pixels.clock(shift);
+   }
+
+  private:
+   HLS_INLINE void add() {
+      Word packed[Pack::kWords];
+      using Lane = typename Pack::Lane;
+      Lane lanes[Count];
+      HLS_UNROLL
+      for (int i = 0; i < Count; ++i) {
+         const Lane above = select<Lane>(ready_tag.first_group, 0, Pack::lane(ready_words, i));
+         HLS_UNROLL
+         for (int p = 0; p < kPixels; ++p) {
+            const ColumnCost<C> sum =
+                ColumnCost<C>(above + change[p][i]) & ColumnCost<C>((uint64_t(1) << kCostBits) - 1);
+            column[p][i] = select<ColumnCost<C>>(ready_tag.border_column, 0, sum);
+         }
+         lanes[i] = Lane(column[kPixels - 1][i]);
+      }
+      Pack::pack(lanes, packed);
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) write_words[w] = select<Word>(ready_tag.valid, packed[w], write_words[w]);
+      write_column = select<uint16_t>(ready_tag.valid, ready_column, write_column);
+      tag = ready_tag;
+   }
+
+   HLS_INLINE void sum_changes() {
+      HLS_UNROLL
+      for (int i = 0; i < Count; ++i) {
+         Change sum = 0;
+         HLS_UNROLL
+         for (int p = 0; p < kPixels; ++p) {
+            sum += Change(pixels.cost[kPixels + p][i]) - Change(pixels.cost[p][i]);
+            change[p][i] = sum;
+         }
+      }
+      ready_column = change_column;
+      ready_tag = pixels.tag;
+   }
+};
+
+/// SadCost with the constructor of its relatives.
+template <const auto& C, int Count>
+struct DirectSadColumn : SadCost<C, Count> {
+   static constexpr int kMemories = 0;
+
+   template <class Source, int Number>
+   HLS_INLINE DirectSadColumn(Source&, MemoryId<Number>) {}
+};
+
+/// The block that sums the costs of a configuration's columns. All have `column`, `tag`, `clock(shift)` and kClocks.
+template <const auto& C, int Count>
+using ColumnBlock =
+    std::conditional_t<C.aggregation == Aggregation::recursive, RecursiveColumn<C, Count>,
+                       std::conditional_t<C.cost == Cost::sad, DirectSadColumn<C, Count>, DirectColumn<C, Count>>>;
+
+}  // namespace stereo

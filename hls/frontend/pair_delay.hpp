@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "frontend/pixel_tag.hpp"
+#include "frontend/raster.hpp"
+#include "support/packed.hpp"
+#include "support/ring.hpp"
+
+namespace stereo {
+
+/// Holds one of the images back, so that a pixel of the reference meets those that it is compared with, and derives
+/// from the place what the later blocks must know. 1 clock. Memory: (delay + 1) x feature bits x P.
+template <const auto& C>
+struct PairDelay {
+   static constexpr int kClocks = 1;
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kTaps = C.tap_rows();
+   static constexpr int kDelay = C.reference_delay() + C.search_delay();  ///< one of them is 0
+   static constexpr bool kDelaysReference = C.reference_delay() > 0;
+   using Pack = Packed<C.feature_bits(), kPixels>;
+   using Word = typename Pack::Word;
+
+   using Delay = Ring<Word, kDelay + 1, (kDelay > 0 ? Pack::kWords : 0)>;
+   static constexpr int kMemories = Delay::kMemories;
+
+   Delay ring;
+   Feature<C> ahead[kPixels];   ///< of the image that is not held back
+   Word delayed[Pack::kWords];  ///< of the other one
+   uint16_t column;             ///< of `ahead`
+   bool row_inside[kTaps];      ///< [t]: tap t is a row of the frame whose windows are summed
+   PixelTag tag;
+
+   template <class Source, int First>
+   HLS_INLINE PairDelay(Source& memories, MemoryId<First> first) : ring(memories, first) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("ring", ring);
+      visit("ahead", ahead);
+      visit("delayed", delayed);
+      visit("column", column);
+      visit("row_inside", row_inside);
+      visit("tag", tag);
+   }
+
+   HLS_INLINE Feature<C> search(int p) const { return kDelaysReference ? ahead[p] : Pack::lane(delayed, p); }
+   HLS_INLINE Feature<C> reference(int p) const { return kDelaysReference ? Pack::lane(delayed, p) : ahead[p]; }
+
+   HLS_INLINE void clock(const Raster<C>& raster) {
+      const auto& in = raster.features;
+      if constexpr (kDelay > 0) {
+         Word newest[Pack::kWords];
+         Pack::pack(kDelaysReference ? in.reference : in.search, newest);
+         ring.clock(newest, in.valid, delayed);
+      } else {
+         Pack::pack(in.search, delayed);
+      }
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) ahead[p] = kDelaysReference ? in.search[p] : in.reference[p];
+      column = raster.place.column;
+      HLS_UNROLL
+      for (int t = 0; t < kTaps; ++t)
+         row_inside[t] = raster.place.group >= first_group(t) && raster.place.group <= last_group(t);
+      tag_place(raster);
+   }
+
+   /// First and last group of a frame in which tap t shows an image row: 0 ... H-1.
+   static constexpr int first_group(int t) {
+      const int missing = C.stored_rows() - C.tap_row(t);
+      return missing <= 0 ? 0 : (missing + kPixels - 1) / kPixels;
+   }
+   static constexpr int last_group(int t) { return (C.height_px - 1 + C.stored_rows() - C.tap_row(t)) / kPixels; }
+
+  private:
+   static constexpr int kFirstCost = C.first_cost_column();
+   static constexpr int kFirstMap = C.first_map_column();
+   static constexpr int kLastMap = kFirstMap + C.output_width_px() - 1;
+
+   HLS_INLINE void tag_place(const Raster<C>& raster) {
+      const uint16_t column_now = raster.place.column, group = raster.place.group;
+      const bool output_group = group >= C.delay_groups() && group < decltype(raster.place)::kIdle;
+      tag.valid = raster.features.valid;
+      tag.row_start = column_now == 0;
+      tag.first_group = group == 0;
+      tag.border_column = column_now < kFirstCost;
+      tag.first_cost = column_now == kFirstCost;
+      tag.leaves_window = column_now >= kFirstCost + C.window_px ||
+                          (column_now < C.columns_after() && int(column_now) + C.width_px - C.window_px >= kFirstCost);
+      tag.map_column = column_now >= kFirstMap && column_now <= kLastMap;
+      tag.output_column = output_group && tag.map_column;
+      tag.first_column = column_now == kFirstMap;
+      tag.start_of_frame = group == C.delay_groups() && column_now == kFirstMap;
+      tag.end_of_line = column_now == kLastMap;
+   }
+};
+
+}  // namespace stereo

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "frontend/census.hpp"
+#include "frontend/features.hpp"
+#include "frontend/xsobel.hpp"
+#include "support/raster_counter.hpp"
+#include "support/row_buffer.hpp"
+
+namespace stereo {
+
+/// Replaces the pixels of both images by what is compared: filtered pixels or census transforms. 6 clocks; the groups
+/// come out transform_groups() rows and transform_columns() columns later. Memory: two times W x 8 x kStored bits.
+template <const auto& C>
+struct Transform {
+   static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kAround = C.transform_rows();
+   static constexpr int kColumns = C.transform_columns();
+   static constexpr int kRows = kPixels + 2 * kAround;
+   static constexpr int kStored = C.transform_groups() * kPixels + kAround;
+   using Rows = RowBuffer<8, kPixels, kStored, C.width_px>;
+   using Filter = std::conditional_t<C.cost == Cost::census, Census<C>, XSobel<C>>;
+   using Counter = RasterCounter<C.width_px, C.row_groups(), C.transform_groups(), true>;
+   /// Input 1, row buffers 2, whole columns 1, filter.
+   static constexpr int kClocks = 1 + Rows::kClocks + 1 + Filter::kClocks;
+   /// Groups by which the transforms lag behind the newest pixels.
+   static constexpr int kLagGroups = C.transform_groups() * C.width_px + C.transform_columns();
+   static constexpr int kMemories = 2 * Rows::kMemories;
+
+   /// What travels beside the pixels.
+   struct Place {
+      uint16_t column;
+      bool row_inside[kRows];                ///< [r]: the row is one of the image
+      bool column_inside[2 * kColumns + 1];  ///< [age]: the column is of the same row as the centre's, kColumns old
+      bool start_of_frame;                   ///< the centre is the first of a frame
+      bool valid;
+
+      HLS_INLINE Place() { start(*this); }
+
+      template <class Visitor>
+      HLS_INLINE void registers(Visitor& visit) {
+         visit("column", column);
+         visit("row_inside", row_inside);
+         visit("column_inside", column_inside);
+         visit("start_of_frame", start_of_frame);
+         visit("valid", valid);
+      }
+   };
+
+   uint8_t left[kPixels], right[kPixels];  // clock 1
+   bool valid;
+   Counter counter;
+   Rows left_rows, right_rows;  // clocks 2 and 3
+   Place read, ready;
+   uint16_t write_column;
+   uint8_t left_column[kRows], right_column[kRows];  // clock 4
+   Place columns;
+   Filter left_filter, right_filter;  // clocks 5 and 6
+   Place filtering, filtered;
+
+   template <class Source, int First>
+   HLS_INLINE Transform(Source& memories, MemoryId<First> first)
+       : left_rows(memories, first), right_rows(memories, MemoryId<First + Rows::kMemories>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("left", left);
+      visit("right", right);
+      visit("valid", valid);
+      visit("counter", counter);
+      visit("left_rows", left_rows);
+      visit("right_rows", right_rows);
+      visit("read", read);
+      visit("ready", ready);
+      visit("write_column", write_column);
+      visit("left_column", left_column);
+      visit("right_column", right_column);
+      visit("columns", columns);
+      visit("left_filter", left_filter);
+      visit("right_filter", right_filter);
+      visit("filtering", filtering);
+      visit("filtered", filtered);
+   }
+
+   HLS_INLINE FeatureGroup<C> output() const {
+      FeatureGroup<C> out;
+      const Filter& search = C.reference == Reference::right ? left_filter : right_filter;
+      const Filter& reference = C.reference == Reference::right ? right_filter : left_filter;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         out.search[p] = search.feature[p];
+         out.reference[p] = reference.feature[p];
+      }
+      out.start_of_frame = filtered.start_of_frame;
+      out.valid = filtered.valid;
+      return out;
+   }
+
+   HLS_INLINE void clock(const StereoInput& in) {
+      copy(filtered, filtering);
+      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering.column_inside);
+      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering.column_inside);
+      copy(filtering, columns);
+      HLS_UNROLL
+      for (int row = 0; row < kRows; ++row) {
+         left_column[row] = left_rows.row(row);
+         right_column[row] = right_rows.row(row);
+      }
+      copy(columns, ready);
+      left_rows.clock(left, counter.column, ready.valid, write_column);
+      right_rows.clock(right, counter.column, ready.valid, write_column);
+      write_column = select<uint16_t>(ready.valid, ready.column, write_column);
+      copy(ready, read);
+      find_place();
+      counter.clock(in.valid, in.start_of_frame);
+      valid = in.valid;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         left[p] = in.left[p];
+         right[p] = in.right[p];
+      }
+   }
+
+  private:
+   /// Row r of the column shows row (group - transform_groups) * P - transform_rows + r of the image.
+   static constexpr int first_group(int r) { return (kStored - r + kPixels - 1) / kPixels; }
+   static constexpr int last_group(int r) { return (C.height_px - 1 + kStored - r) / kPixels; }
+
+   HLS_INLINE void find_place() {
+      read.valid = valid;
+      read.column = counter.column;
+      HLS_UNROLL
+      for (int r = 0; r < kRows; ++r)
+         read.row_inside[r] = counter.group >= first_group(r) && counter.group <= last_group(r);
+      HLS_UNROLL
+      for (int age = 0; age <= 2 * kColumns; ++age)
+         read.column_inside[age] = (counter.column >= age) == (counter.column >= kColumns);
+      read.start_of_frame = counter.group == C.transform_groups() && counter.column == kColumns;
+   }
+
+   static HLS_INLINE void copy(Place& to, const Place& from) {
+      to.column = from.column;
+      HLS_UNROLL
+      for (int r = 0; r < kRows; ++r) to.row_inside[r] = from.row_inside[r];
+      HLS_UNROLL
+      for (int age = 0; age <= 2 * kColumns; ++age) to.column_inside[age] = from.column_inside[age];
+      to.start_of_frame = from.start_of_frame;
+      to.valid = from.valid;
+   }
+};
+
+}  // namespace stereo

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace stereo {
+
+/// When the outputs of a core come. A group is the P pixel pairs that enter in one clock.
+struct Schedule {
+   int latency_clocks;          ///< clocks from the last group that an output depends on, or waits for, to the output
+   int groups_to_first_output;  ///< valid groups, from a frame's first on, that bring out its first disparities
+   int flush_groups;            ///< valid groups without start of frame that bring out the last disparities of a frame
+   int gap_groups;              ///< valid groups without start of frame that must stand between two frames
+};
+
+/// The schedule of a core whose outputs come in the order of its inputs, a map of `map_width` columns.
+/// groups_to_first_output: as above; image: its size and pixels per clock.
+template <class Image>
+constexpr Schedule raster_schedule(const Image& image, int map_width, int latency_clocks, int groups_to_first_output,
+                                   int gap_groups) {
+   const int groups_to_last_output = groups_to_first_output + (image.row_groups() - 1) * image.width_px + map_width - 1;
+   const int left = groups_to_last_output - image.row_groups() * image.width_px;
+   return {latency_clocks, groups_to_first_output, left < 0 ? 0 : left, gap_groups};
+}
+
+}  // namespace stereo

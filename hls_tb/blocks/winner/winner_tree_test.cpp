@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "winner/winner_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <deque>
+
+#include "block_matching/config.hpp"
+#include "cost/costs.hpp"
+#include "frontend/pixel_tag.hpp"
+#include "scene/random.hpp"
+#include "testing/expect_candidate.hpp"
+#include "testing/seed.hpp"
+#include "testing/tags.hpp"
+#include "winner/candidate.hpp"
+
+namespace stereo::test {
+namespace {
+
+enum class Extras { none, second, neighbours, both };
+
+/// `Spare`: levels beyond those that N candidates need.
+template <int Pixels, int N, int Group, int Spare = 0, Ties Rule = Ties::smallest, Extras Needs = Extras::none>
+struct TreeType {
+   static constexpr block_matching::Config kConfig{
+       {.width_px = 64, .height_px = 32, .pixels_per_clock = Pixels},
+       {.disparities = 32,
+        .window_px = 16,
+        .ties = Rule,
+        .uniqueness_percent = Needs == Extras::second || Needs == Extras::both ? 5 : 0,
+        .subpixel = Needs == Extras::neighbours || Needs == Extras::both},
+       {.winner_group = Group}};
+   static constexpr int kCandidates = N;
+   static constexpr int kLevels = winner_levels(N, Group) + Spare;
+   using Tree = WinnerTree<WindowCandidate<kConfig>, PixelTag, Pixels, Group, N, kLevels>;
+};
+
+template <class Tree>
+class WinnerTreeTest : public ::testing::Test {};
+using Trees = ::testing::Types<
+    TreeType<1, 2, 2>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>, TreeType<2, 3, 3, 1>,
+    TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>, TreeType<4, 25, 2, 0, Ties::largest>,
+    TreeType<1, 26, 3>, TreeType<1, 37, 7>, TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>,
+    TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>, TreeType<2, 3, 2, 0, Ties::largest, Extras::both>,
+    TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>, TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>,
+    TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>, TreeType<1, 26, 3, 0, Ties::largest, Extras::both>,
+    TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
+TYPED_TEST_SUITE(WinnerTreeTest, Trees);
+
+/// Feeds a tree and compares its root.
+template <class Type, const block_matching::Config& C = Type::kConfig>
+struct TreeBench {
+   static constexpr int P = C.pixels_per_clock, N = Type::kCandidates;
+   struct Step {
+      PixelTag tag;
+      std::array<NaiveWinner, P> winners;
+   };
+
+   Random random{test_seed()};
+   typename Type::Tree tree;
+   std::deque<Step> pipeline = std::deque<Step>(Type::kLevels - 1);  // the winners on their way
+   int compared = 0;
+
+   /// costs: of lane 0; each further lane has them turned by one disparity.
+   void clock(std::vector<int> costs) {
+      Step step{random_tag(random), {}};
+      WindowCost<C> shown[P][N];
+      for (int p = 0; p < P; ++p) {
+         for (int d = 0; d < N; ++d) shown[p][d] = WindowCost<C>(costs[std::size_t(d)]);
+         step.winners[std::size_t(p)] = NaiveWinner(costs, C.ties);
+         std::rotate(costs.begin(), costs.begin() + 1, costs.end());
+      }
+      tree.clock(shown, step.tag);
+      pipeline.push_back(step);
+      const Step expected = pipeline.front();
+      pipeline.pop_front();
+      ASSERT_EQ(tree.root().tag, expected.tag);
+      if (!expected.tag.valid) return;
+      ++compared;
+      for (int p = 0; p < P; ++p)
+         ASSERT_NO_FATAL_FAILURE(expect_candidate<C>(expected.winners[std::size_t(p)], tree.root().best.get(p, 0)))
+             << "lane " << p;
+   }
+};
+
+TYPED_TEST(WinnerTreeTest, FindsTheWinnerAndWhatTheChecksNeed) {
+   constexpr int N = TypeParam::kCandidates;
+   TreeBench<TypeParam> bench;
+   if (N <= 5)
+      for_all_costs(N, 4, [&bench](const std::vector<int>& costs) {
+         if (!::testing::Test::HasFatalFailure()) bench.clock(costs);
+      });
+   for (int clock = 0; clock < 1000 && !::testing::Test::HasFatalFailure(); ++clock) {
+      const int levels[] = {1, 2, 3, 10, 65281}, count = levels[bench.random.below(5)];  // 1: all tie
+      std::vector<int> costs(N);
+      for (int& cost : costs) cost = TypeParam::kConfig.largest_window_cost() - bench.random.below(count);
+      bench.clock(costs);
+   }
+   EXPECT_GT(bench.compared, 500);
+}
+
+TYPED_TEST(WinnerTreeTest, HasAsManyLevelsAsNeeded) {
+   constexpr int kGroup = TypeParam::kConfig.winner_group;
+   int levels = 0;
+   for (int64_t reach = 1; reach < TypeParam::kCandidates; reach *= kGroup) ++levels;
+   EXPECT_EQ(winner_levels(TypeParam::kCandidates, kGroup), levels);
+}
+
+}  // namespace
+}  // namespace stereo::test

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/vector_files.hpp"
+
+#include <ostream>
+
+#include "engines/clocked/lane_word.hpp"
+
+namespace stereo {
+namespace {
+
+constexpr char kHexDigits[] = "0123456789abcdef";
+
+/// The text of a word of P lanes.
+template <class Lane>
+std::string word_text(const Lane& lanes, int pixels, int lane_bits) {
+   using Value = std::remove_cvref_t<decltype(lanes[0])>;
+   const uint64_t word = lane_word<Value>(lanes, pixels, lane_bits);
+   std::string text;
+   for (int bit = lane_bits * pixels - 4; bit >= 0; bit -= 4) text += kHexDigits[word >> bit & 15];
+   return text;
+}
+
+}  // namespace
+
+void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
+   const int pixels = stimulus.pixels_per_clock;
+   out << "stereo-hls stimulus 1 config=" << stimulus.config << " pixels=" << pixels
+       << " clocks=" << stimulus.clocks.size() << '\n';
+   for (const StereoInput& in : stimulus.clocks)
+      out << int(in.valid) + 2 * int(in.start_of_frame) << ' ' << word_text(in.left, pixels, 8) << ' '
+          << word_text(in.right, pixels, 8) << '\n';
+}
+
+void write_expected(std::ostream& out, const Expected& expected) {
+   const int pixels = expected.pixels_per_clock;
+   out << "stereo-hls expected 2 config=" << expected.config << " pixels=" << pixels
+       << " disparity_bits=" << expected.disparity_bits << " outputs=" << expected.outputs.size()
+       << " latency=" << expected.latency_clocks << '\n';
+   for (const CoreOutput& output : expected.outputs)
+      out << output.clock << ' ' << output.x << ' ' << output.y << ' ' << output.frame << ' '
+          << word_text(output.disparity, pixels, expected.disparity_bits) << ' '
+          << unsigned(output.start_of_frame) + 2 * unsigned(output.end_of_line) +
+                 4 * lane_word<bool>(output.pixel_valid, pixels, 1)
+          << '\n';
+}
+
+}  // namespace stereo

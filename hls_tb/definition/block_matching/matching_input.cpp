@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/block_matching/matching_input.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace stereo::block_matching {
+namespace {
+
+constexpr int kFarthest = 1 << 24;  ///< beyond any image, and far from where sums of columns would overflow
+
+void require(bool condition, const std::string& sentence) {
+   if (!condition) throw std::invalid_argument(sentence);
+}
+
+void check_pair(const GrayImage& left, const GrayImage& right) {
+   require_same_size<std::invalid_argument>("left", left, "right", right);
+   require(left.width > 0 && left.height > 0, "the images have no pixels");
+}
+
+}  // namespace
+
+int largest_pixel_cost(const Matching& matching) {
+   if (matching.cost == Cost::census) return matching.census_width_px * matching.census_height_px - 1;
+   const int largest_difference = matching.prefilter == Prefilter::xsobel ? 2 * matching.prefilter_cap : 255;
+   return matching.cost == Cost::ssd ? largest_difference * largest_difference : largest_difference;
+}
+
+int first_cost_column(const Matching& matching) { return std::max(0, -matching.min_disparity); }
+
+int cost_columns(int width_px, const Matching& matching) {
+   const int last = std::min(width_px - 1, width_px - matching.disparities - matching.min_disparity);
+   return last - first_cost_column(matching) + 1;
+}
+
+int map_width(int width_px, const Matching& matching) { return cost_columns(width_px, matching) - 1; }
+
+int map_first_column(const Matching& matching) {
+   return matching.reference == Reference::right ? first_cost_column(matching)
+                                                 : std::max(1, matching.disparities + matching.min_disparity);
+}
+
+MapGeometry map_geometry(const Matching& matching, int image_width) {
+   return {matching.reference,   map_first_column(matching), map_width(image_width, matching),
+           matching.disparities, matching.min_disparity,     matching.has_check()};
+}
+
+std::string describe(const Matching& matching) {
+   return std::to_string(matching.disparities) + " disparities, window " +
+          size_text(matching.window_px, matching.window_px);
+}
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_pair(left, right);
+   const Sentence problem = matching.problem();
+   require(problem.empty(), problem.text);
+   const std::string disparities = std::to_string(matching.disparities);
+   require(left.width > matching.disparities,
+           "the images are " + size_text(left) + " but must be wider than the disparity range " + disparities);
+   const bool near = std::abs(int64_t(matching.min_disparity)) <= kFarthest;
+   require(near && cost_columns(left.width, matching) >= 2,
+           "the disparity range " + disparities + " from the smallest disparity " +
+               std::to_string(matching.min_disparity) + " on lies outside the images of " + size_text(left));
+   const int64_t window_pixels = int64_t(std::min(matching.window_px, cost_columns(left.width, matching))) *
+                                 std::min(matching.window_px, left.height);
+   require(window_pixels * largest_pixel_cost(matching) <= std::numeric_limits<int>::max(),
+           "the window side is " + std::to_string(matching.window_px) +
+               " but window costs must stay below 2^31; give a smaller window");
+}
+
+}  // namespace stereo::block_matching

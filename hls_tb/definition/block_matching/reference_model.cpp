@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/block_matching/reference_model.hpp"
+
+#include <bit>
+#include <cstdlib>
+
+#include "definition/block_matching/matching_input.hpp"
+#include "definition/mirror.hpp"
+
+namespace stereo::block_matching {
+
+CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   const bool filters = matching.prefilter == Prefilter::xsobel, is_census = matching.cost == Cost::census;
+   const GrayImage l = filters ? prefiltered(left, matching.prefilter_cap) : left;
+   const GrayImage r = filters ? prefiltered(right, matching.prefilter_cap) : right;
+   const int census_width = matching.census_width_px, census_height = matching.census_height_px;
+   const CensusImage left_bits = is_census ? census_transform(l, census_width, census_height) : CensusImage();
+   const CensusImage right_bits = is_census ? census_transform(r, census_width, census_height) : CensusImage();
+
+   const int first = first_cost_column(matching);
+   CostVolume costs(cost_columns(left.width, matching), left.height, matching.disparities);
+   for (int y = 0; y < costs.height; ++y)
+      for (int x = 0; x < costs.width; ++x)
+         for (int d = 0; d < costs.disparities; ++d) {
+            const int right_x = first + x, left_x = right_x + matching.min_disparity + d;
+            const int difference = std::abs(int(r.at(right_x, y)) - int(l.at(left_x, y)));
+            costs.at(x, y, d) = is_census ? std::popcount(right_bits.at(right_x, y) ^ left_bits.at(left_x, y))
+                                : matching.cost == Cost::ssd ? difference * difference
+                                                             : difference;
+         }
+   return costs;
+}
+
+GrayImage texture_check(const GrayImage& filtered, const Matching& matching) {
+   const int columns = cost_columns(filtered.width, matching), first = first_cost_column(matching);
+   GrayImage passes(columns - 1, filtered.height);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         int64_t texture = 0;
+         for (int row = y - rows_above(matching); row <= y + rows_below(matching); ++row)
+            for (int column = x - rows_above(matching); column <= x + rows_below(matching); ++column) {
+               if (row < 0 || row >= filtered.height || column < 0 || column >= columns) continue;
+               texture += std::abs(filtered.at(first + column, row) - matching.prefilter_cap);
+            }
+         passes.at(x, y) = texture >= matching.texture_threshold ? 1 : 0;
+      }
+   return passes;
+}
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   if (matching.reference == Reference::left) {
+      Matching of_mirror = matching;
+      of_mirror.reference = Reference::right;
+      return mirrored(match_reference(mirrored(right), mirrored(left), of_mirror));
+   }
+   const CostVolume sums = window_sums(pixel_costs(left, right, matching), matching.window_px);
+   const DisparityMap best = winners(sums, matching.ties);
+   DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
+   if (matching.median) map = median_filtered(map);
+
+   const auto keep = [&map](const GrayImage& passes) {
+      for (std::size_t i = 0; i < map.valid.size(); ++i) map.valid[i] = map.valid[i] && passes.pixels[i] ? 1 : 0;
+   };
+   if (matching.has_left_right_check())
+      keep(left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
+   if (matching.has_uniqueness_check()) keep(uniqueness_check(sums, best, matching.uniqueness_percent));
+   if (matching.has_texture_check()) keep(texture_check(prefiltered(right, matching.prefilter_cap), matching));
+   return map;
+}
+
+}  // namespace stereo::block_matching

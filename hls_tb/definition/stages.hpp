@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages that families share, from docs/algorithm.md, one function a stage, for tests: plain loops and nothing
+// shared with hls/ but the names of the options.
+//
+// Every stage takes the right image as reference: for a left one, give it the mirrored pair (definition/mirror.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "definition/disparity_map.hpp"
+#include "definition/gray_image.hpp"
+#include "support/matching_options.hpp"
+
+namespace stereo {
+
+/// A value for every (x, y, d).
+struct CostVolume {
+   int width = 0;
+   int height = 0;
+   int disparities = 0;
+   std::vector<int> values;
+
+   CostVolume() = default;
+   CostVolume(int width_px, int height_px, int disparity_range)
+       : width(width_px),
+         height(height_px),
+         disparities(disparity_range),
+         values(std::size_t(width_px) * std::size_t(height_px) * std::size_t(disparity_range)) {}
+
+   int& at(int x, int y, int d) { return values[index(x, y, d)]; }
+   int at(int x, int y, int d) const { return values[index(x, y, d)]; }
+
+  private:
+   std::size_t index(int x, int y, int d) const {
+      return (std::size_t(y) * std::size_t(width) + std::size_t(x)) * std::size_t(disparities) + std::size_t(d);
+   }
+};
+
+/// Census transforms, one for each pixel: bit i is the i-th other pixel of the window in raster order.
+struct CensusImage {
+   int width = 0;
+   int height = 0;
+   std::vector<uint64_t> bits;
+
+   uint64_t at(int x, int y) const { return bits[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+};
+
+/// 1. f(x,y) = 0 ... 2*cap. In an image of one row, that row stands above and below itself.
+GrayImage prefiltered(const GrayImage& image, int cap);
+
+/// 2. Pixels outside the image count as 0.
+CensusImage census_transform(const GrayImage& image, int census_width_px, int census_height_px);
+
+/// Sum of c over the rows y-B/2 ... y+(B-1)/2 of one column; rows outside the image count 0. Same size as c.
+CostVolume column_sums(const CostVolume& costs, int window_px);
+
+/// 3. S(x,y,d): sum of c over the window around (x,y); cost columns and rows outside count 0. One column less than c.
+CostVolume window_sums(const CostVolume& costs, int window_px);
+
+/// 4. d*, in pixels, all valid.
+DisparityMap winners(const CostVolume& sums, Ties ties = Ties::smallest);
+
+/// 5. D'(X), in pixels: column i is X = first_cost_column() + min_disparity + i of the other image. S's width + D-1
+/// columns.
+DisparityMap other_winners(const CostVolume& sums, Ties ties = Ties::smallest);
+
+// 5. The checks: 1 where the pixel passes, else 0. `winners` are those of the same sums.
+GrayImage left_right_check(const DisparityMap& winners, const DisparityMap& other_winners, int threshold);
+GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, int percent);
+
+/// 6. Sixteenths of a pixel, validity as in `winners`.
+DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& winners);
+
+/// 7. Disparities only; validity and unit stay.
+DisparityMap median_filtered(const DisparityMap& map);
+
+}  // namespace stereo

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+
+#include "definition/disparity_map.hpp"
+#include "definition/gray_image.hpp"
+#include "definition/map_geometry.hpp"
+#include "engines/option_values.hpp"
+
+namespace stereo {
+
+/// A way to match, with its options: what the program knows of any family beside its core.
+class Algorithm {
+  public:
+   virtual ~Algorithm() = default;
+   virtual std::vector<OptionValue> options() const = 0;
+   /// The same with one option changed; limits are only checked when it matches. Throws std::invalid_argument with what
+   /// the value should have been, or with the names of all options.
+   virtual std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const = 0;
+   /// Such as "100 disparities, window 3x3".
+   virtual std::string description() const = 0;
+   virtual MapGeometry map_geometry(int image_width) const = 0;
+   /// The map by the fast model. Throws std::invalid_argument with one sentence when the pair cannot be matched.
+   virtual DisparityMap match_fast(const GrayImage& left, const GrayImage& right) const = 0;
+   /// The same map by the definition; slow.
+   virtual DisparityMap match_reference(const GrayImage& left, const GrayImage& right) const = 0;
+};
+
+// The functions of a family's namespace, seen from where no member of the same name hides them.
+namespace of_family {
+template <class Matching>
+std::string description(const Matching& matching) {
+   return describe(matching);
+}
+template <class Matching>
+MapGeometry geometry(const Matching& matching, int image_width) {
+   return map_geometry(matching, image_width);
+}
+template <class Matching>
+DisparityMap fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   return match_fast(left, right, matching);
+}
+template <class Matching>
+DisparityMap reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   return match_reference(left, right, matching);
+}
+}  // namespace of_family
+
+/// Matching: the options of a family. Its namespace has describe, map_geometry, match_fast and match_reference.
+template <class Matching>
+class AlgorithmOf final : public Algorithm {
+  public:
+   explicit AlgorithmOf(const Matching& matching) : matching_(matching) {}
+
+   std::vector<OptionValue> options() const override { return option_values(matching_); }
+   std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const override {
+      Matching changed = matching_;
+      OptionSetter setter(option, value);
+      Matching::options(changed, setter);
+      if (!setter.found) throw std::invalid_argument("there is no such option; known are: " + setter.known);
+      if (!setter.wanted.empty()) throw std::invalid_argument("the value must be " + setter.wanted);
+      return std::make_shared<AlgorithmOf>(changed);
+   }
+   std::string description() const override { return of_family::description(matching_); }
+   MapGeometry map_geometry(int image_width) const override { return of_family::geometry(matching_, image_width); }
+   DisparityMap match_fast(const GrayImage& left, const GrayImage& right) const override {
+      return of_family::fast(left, right, matching_);
+   }
+   DisparityMap match_reference(const GrayImage& left, const GrayImage& right) const override {
+      return of_family::reference(left, right, matching_);
+   }
+
+  private:
+   Matching matching_;
+};
+
+}  // namespace stereo

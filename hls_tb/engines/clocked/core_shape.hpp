@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/image.hpp"
+#include "support/schedule.hpp"
+
+namespace stereo {
+
+/// What everybody around a core must know of it, whatever it computes.
+struct CoreShape {
+   Image image;
+   int output_width_px;  ///< of the map; it is as high as the images
+   int disparity_bits;   ///< of one pixel in the output word: 8 or 16
+   int steps_per_pixel;  ///< of a disparity: 1, or 16 for sixteenths of a pixel
+   Schedule schedule;
+};
+
+template <class Core>
+constexpr CoreShape core_shape() {
+   return {Core::kConfig, Core::kConfig.output_width_px(), Core::kConfig.disparity_bits(),
+           Core::kConfig.steps_per_pixel(), Core::kSchedule};
+}
+
+}  // namespace stereo

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/clocked/stimulus.hpp"
+
+#include <stdexcept>
+
+namespace stereo {
+namespace {
+
+/// Rows of the smallest crop that gives an output.
+int least_rows(const CoreShape& core) {
+   const int width = core.image.width_px;
+   return (core.schedule.groups_to_first_output + width - 1) / width * core.image.pixels_per_clock;
+}
+
+void check(const std::string& name, const CoreShape& core, const ImagePair& pair, const StimulusOptions& options,
+           RowRange rows) {
+   const auto require = [](bool condition, const std::string& sentence) {
+      if (!condition) throw std::invalid_argument(sentence);
+   };
+   const Image& config = core.image;
+   for (const GrayImage* image : {&pair.left, &pair.right})
+      require(image->width == config.width_px && image->height == config.height_px,
+              "an image is " + size_text(*image) + " but configuration " + name + " takes " +
+                  size_text(config.width_px, config.height_px));
+   require(options.frames >= 1, "the number of frames must be at least 1");
+   require(options.stall_percent >= 0 && options.stall_percent <= 95, "the stall percentage must be 0 ... 95");
+   const std::string range = "the row range " + std::to_string(rows.first) + ":" + std::to_string(rows.end);
+   require(rows.first >= 0 && rows.first < rows.end && rows.end <= config.height_px,
+           range + " must lie within 0:" + std::to_string(config.height_px) + " and not be empty");
+   const int group = config.pixels_per_clock, least = least_rows(core), count = rows.end - rows.first;
+   require(count % group == 0, range + " has " + std::to_string(count) + " rows but must have a multiple of the " +
+                                   std::to_string(group) + " pixels per clock");
+   require(count >= least || count == config.height_px,
+           range + " would give no output: send at least " + std::to_string(least) + " rows");
+}
+
+}  // namespace
+
+void StimulusWriter::record(const StereoInput& in) {
+   while (random_.percent(stall_percent_)) bubbles(1);
+   clocks.push_back(in);
+}
+
+void StimulusWriter::rows(const ImagePair& images, RowRange range, bool upside_down) {
+   for (int group = range.first; group < range.end; group += pixels_per_clock_)
+      for (int x = 0; x < images.left.width; ++x) {
+         StereoInput in{.start_of_frame = x == 0 && group == range.first, .valid = true};
+         for (int p = 0; p < pixels_per_clock_; ++p) {
+            const int y = upside_down ? images.left.height - 1 - (group + p) : group + p;
+            in.left[p] = images.left.at(x, y);
+            in.right[p] = images.right.at(x, y);
+         }
+         record(in);
+      }
+}
+
+void StimulusWriter::random_records(int count) {
+   for (int i = 0; i < count; ++i) {
+      StereoInput in = garbage();
+      in.valid = true;
+      record(in);
+   }
+}
+
+void StimulusWriter::bubbles(int count) {
+   for (int i = 0; i < count; ++i) {
+      StereoInput in = garbage();
+      in.start_of_frame = random_.percent(50);
+      clocks.push_back(in);
+   }
+}
+
+StereoInput StimulusWriter::garbage() {
+   StereoInput in;
+   for (int p = 0; p < pixels_per_clock_; ++p) {
+      in.left[p] = random_.byte();
+      in.right[p] = random_.byte();
+   }
+   return in;
+}
+
+Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair,
+                       const StimulusOptions& options) {
+   const RowRange rows = options.rows.value_or(RowRange{0, core.image.height_px});
+   check(config_name, core, pair, options, rows);
+   StimulusWriter writer(core.image.pixels_per_clock, options.stall_percent, options.seed);
+   for (int frame = 0; frame < options.frames; ++frame) {
+      if (frame > 0) writer.gap(core.schedule);
+      writer.rows(pair, rows, frame % 2 == 1);
+   }
+   if (rows.end - rows.first == core.image.height_px) writer.flush(core.schedule);
+   writer.drain(core.schedule);
+   return {config_name, core.image.pixels_per_clock, std::move(writer.clocks)};
+}
+
+CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {
+   CoreOutput located{.clock = clock,
+                      .x = last_.x + 1,
+                      .y = last_.y,
+                      .frame = last_.frame,
+                      .disparity = std::to_array(output.disparity),
+                      .pixel_valid = std::to_array(output.pixel_valid),
+                      .start_of_frame = output.start_of_frame,
+                      .end_of_line = output.end_of_line};
+   if (output.start_of_frame) {
+      located.x = located.y = 0;
+      ++located.frame;
+   } else if (last_.end_of_line) {
+      located.x = 0;
+      located.y += pixels_per_clock_;
+   }
+   last_ = located;
+   return located;
+}
+
+std::vector<DisparityMap> collect_frames(const std::vector<CoreOutput>& outputs, const CoreShape& core) {
+   const Image& image = core.image;
+   const int width = core.output_width_px, height = image.height_px;
+   const std::size_t columns = std::size_t(width), frame_size = columns * std::size_t(image.row_groups());
+   if (outputs.size() % frame_size != 0)
+      throw std::runtime_error("the core gave " + std::to_string(outputs.size()) +
+                               " outputs, which is no multiple of " + size_text(width, image.row_groups()));
+   std::vector<DisparityMap> frames;
+   for (std::size_t i = 0; i < outputs.size(); ++i) {
+      const CoreOutput& output = outputs[i];
+      const std::size_t place = i % frame_size;
+      const int x = int(place % columns), y = int(place / columns) * image.pixels_per_clock;
+      const bool in_place = output.x == x && output.y == y && output.frame == int(i / frame_size) &&
+                            output.start_of_frame == (place == 0) && output.end_of_line == (x == width - 1);
+      if (!in_place)
+         throw std::runtime_error("output " + std::to_string(i) + " stands at x=" + std::to_string(output.x) +
+                                  " y=" + std::to_string(output.y) + " of frame " + std::to_string(output.frame) +
+                                  " but belongs at x=" + std::to_string(x) + " y=" + std::to_string(y) + " of frame " +
+                                  std::to_string(i / frame_size));
+      if (place == 0) frames.emplace_back(width, height, uint16_t(0), core.steps_per_pixel > 1);
+      for (int p = 0; p < image.pixels_per_clock; ++p) {
+         frames.back().at(x, y + p) = output.disparity[std::size_t(p)];
+         frames.back().valid_at(x, y + p) = output.pixel_valid[std::size_t(p)] ? 1 : 0;
+      }
+   }
+   return frames;
+}
+
+}  // namespace stereo

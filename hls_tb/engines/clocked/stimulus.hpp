@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes into a core and what comes out of it, clock by clock.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "definition/disparity_map.hpp"
+#include "definition/gray_image.hpp"
+#include "engines/clocked/core_shape.hpp"
+#include "scene/random.hpp"
+#include "support/ports.hpp"
+
+namespace stereo {
+
+/// The inputs of a core, one record a clock.
+struct Stimulus {
+   std::string config;    ///< the configuration's name
+   int pixels_per_clock;  ///< lanes in use, 1, 2 or 4; lane p holds row p of a group of rows
+   std::vector<StereoInput> clocks;
+};
+
+/// A valid output of a core: one column of a group of rows.
+struct CoreOutput {
+   uint64_t clock = 0;  ///< 0-based index of the clock() call that returned it
+   int x = -1, y = -1;  ///< of lane 0, by start of frame and ends of lines, not by the clock
+   int frame = -1;      ///< from 0; -1 before the first start of frame
+   // [p]: at (x, y + p)
+   std::array<uint16_t, kMostPixels> disparity{};
+   std::array<bool, kMostPixels> pixel_valid{};
+   bool start_of_frame = false;
+   bool end_of_line = false;
+
+   bool operator==(const CoreOutput&) const = default;
+};
+
+struct Expected {
+   std::string config;
+   int pixels_per_clock;
+   int disparity_bits;  ///< of one lane, 8 or 16
+   int latency_clocks;
+   std::vector<CoreOutput> outputs;
+};
+
+/// Image rows first ... end-1.
+struct RowRange {
+   int first = 0;
+   int end = 0;
+};
+
+struct StimulusOptions {
+   int frames = 1;  ///< back to back; odd ones show the pair upside down, so that frames differ
+   std::optional<RowRange> rows = std::nullopt;  ///< send only these rows of each frame, as if the first were the top
+   int stall_percent = 0;                        ///< chance of a bubble before each clock, 0 ... 95
+   uint64_t seed = 1;                            ///< of the bubbles, of their garbage and of the flush rows
+};
+
+/// Puts records and bubbles in a row. Bubbles and flush records carry garbage on the lanes in use, 0 on the others.
+class StimulusWriter {
+  public:
+   StimulusWriter(int pixels_per_clock, int stall_percent, uint64_t seed)
+       : pixels_per_clock_(pixels_per_clock), stall_percent_(stall_percent), random_(seed) {}
+
+   /// Random bubbles, then the record.
+   void record(const StereoInput& in);
+   /// These rows of the images, a whole number of groups, as the top of a frame; upside down: row y is the y-th from
+   /// below.
+   void rows(const ImagePair& images, RowRange range, bool upside_down = false);
+   void random_records(int count);
+   void bubbles(int count);
+   /// The random records that bring out the last rows of a frame.
+   void flush(const Schedule& schedule) { random_records(schedule.flush_groups); }
+   /// What must stand between two frames.
+   void gap(const Schedule& schedule) { random_records(schedule.gap_groups); }
+   /// Enough bubbles to empty the pipeline.
+   void drain(const Schedule& schedule) { bubbles(schedule.latency_clocks + 4); }
+
+   std::vector<StereoInput> clocks;
+
+  private:
+   StereoInput garbage();
+
+   int pixels_per_clock_;
+   int stall_percent_;
+   Random random_;
+};
+
+/// Whole frames are followed by a flush, parts of frames by bubbles only: they lack the rows that end a frame.
+/// Throws std::invalid_argument with one sentence when the options or the images do not fit the configuration.
+Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair,
+                       const StimulusOptions& options = {});
+
+/// Gives the outputs of a core their places, in the order in which they come.
+class OutputLocator {
+  public:
+   explicit OutputLocator(int pixels_per_clock) : pixels_per_clock_(pixels_per_clock) {}
+   CoreOutput locate(uint64_t clock, const StereoOutput& output);
+
+  private:
+   int pixels_per_clock_;
+   CoreOutput last_;
+};
+
+/// One disparity map a frame. Throws std::runtime_error unless every frame has each pixel exactly once, in raster
+/// order.
+std::vector<DisparityMap> collect_frames(const std::vector<CoreOutput>& outputs, const CoreShape& core);
+
+}  // namespace stereo

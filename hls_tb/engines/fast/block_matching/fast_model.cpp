@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/block_matching/fast_model.hpp"
+
+#include "definition/block_matching/matching_input.hpp"
+#include "definition/mirror.hpp"
+#include "engines/fast/block_matching/general_matcher.hpp"
+#include "engines/fast/block_matching/plain_matcher.hpp"
+#include "engines/fast/block_matching/texture.hpp"
+#include "engines/fast/median.hpp"
+#include "engines/fast/prefilter.hpp"
+
+namespace stereo::block_matching {
+namespace {
+
+/// Steps 2 to 6, images prefiltered, the right one as reference.
+DisparityMap match_filtered(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   DisparityMap map = is_plain(matching) ? match_plain(left, right, matching) : match_general(left, right, matching);
+   if (matching.has_texture_check()) check_texture(right, matching, map);
+   return map;
+}
+
+/// Steps 1 to 6, the right image as reference.
+DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   if (matching.prefilter == Prefilter::none) return match_filtered(left, right, matching);
+   return match_filtered(fast::prefilter_xsobel(left, matching.prefilter_cap),
+                         fast::prefilter_xsobel(right, matching.prefilter_cap), matching);
+}
+
+}  // namespace
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   DisparityMap map = matching.reference == Reference::right
+                          ? match_right(left, right, matching)
+                          : mirrored(match_right(mirrored(right), mirrored(left), matching));
+   if (matching.median) map = fast::median_3x3(map);
+   return map;
+}
+
+}  // namespace stereo::block_matching

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// Window sums as running sums of running column sums, for all disparities of a pixel side by side in memory: each loop
+// over d is free of branches and calls, so that the compiler vectorises it. The time does not depend on the window.
+#include "engines/fast/block_matching/general_matcher.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <limits>
+
+#include "definition/block_matching/matching_input.hpp"
+#include "engines/fast/block_matching/aligned_rows.hpp"
+#include "engines/fast/census.hpp"
+#include "engines/fast/vector_clones.hpp"
+
+namespace stereo::block_matching {
+namespace {
+
+/// Loops run over whole vectors of this many disparities; what stands behind the last disparity never wins.
+constexpr int kLanes = 16;
+
+struct AbsoluteDifference {
+   static int cost(uint8_t left, uint8_t right) { return std::abs(left - right); }
+};
+struct SquaredDifference {
+   static int cost(uint8_t left, uint8_t right) { return (left - right) * (left - right); }
+};
+struct HammingDistance {
+   static int cost(uint64_t left, uint64_t right) { return std::popcount(left ^ right); }
+};
+
+/// What one pixel of the map follows from.
+template <class Sum>
+struct PixelResult {
+   Sum smallest;
+   int winner;
+};
+
+/// The other image's best sums and their disparities, of one row. [X - first column]
+template <class Sum>
+struct OtherWinners {
+   std::vector<Sum> best, disparity;
+
+   explicit OtherWinners(int columns) : best(std::size_t(columns)), disparity(best) {}
+   /// Every sum is better than this, and what stands behind the last disparity is not.
+   void restart() { std::fill(best.begin(), best.end(), Sum(std::numeric_limits<Sum>::max() - 1)); }
+};
+
+/// The pixels that one cost column compares in one row.
+template <class Pixel>
+struct Compared {
+   const Pixel* left;  ///< [d]
+   Pixel right;
+};
+
+/// Column sums of one cost column move down by a row.
+template <class Difference, class Sum, class Pixel>
+STEREO_INTO_CLONES void exchange_rows(Sum* __restrict column, Compared<Pixel> in, Compared<Pixel> out, int lanes) {
+   for (int d = 0; d < lanes; ++d)
+      column[d] =
+          Sum(column[d] + Sum(Difference::cost(in.left[d], in.right)) - Sum(Difference::cost(out.left[d], out.right)));
+}
+
+template <class Sum>
+STEREO_INTO_CLONES void add_column(Sum* __restrict sums, const Sum* __restrict column, int lanes) {
+   for (int d = 0; d < lanes; ++d) sums[d] = Sum(sums[d] + column[d]);
+}
+template <class Sum>
+STEREO_INTO_CLONES void remove_column(Sum* __restrict sums, const Sum* __restrict column, int lanes) {
+   for (int d = 0; d < lanes; ++d) sums[d] = Sum(sums[d] - column[d]);
+}
+
+template <class Sum>
+STEREO_INTO_CLONES PixelResult<Sum> find_winner(const Sum* sums, int lanes, Ties ties) {
+   constexpr Sum kMost = std::numeric_limits<Sum>::max();
+   Sum smallest = kMost;
+   for (int d = 0; d < lanes; ++d) smallest = std::min(smallest, sums[d]);
+   Sum first = kMost, last = 0;
+   if (ties == Ties::smallest)
+      for (int d = 0; d < lanes; ++d) first = std::min(first, sums[d] == smallest ? Sum(d) : kMost);
+   else
+      for (int d = 0; d < lanes; ++d) last = std::max(last, sums[d] == smallest ? Sum(d) : Sum(0));
+   return {smallest, int(ties == Ties::smallest ? first : last)};
+}
+
+/// No disparity but the winner and its neighbours has a sum close to the smallest one.
+template <class Sum>
+STEREO_INTO_CLONES bool is_unique(const Sum* sums, int disparities, int lanes, PixelResult<Sum> pixel, int percent) {
+   const uint64_t wanted = pixel.smallest + uint64_t(percent) * pixel.smallest / 100;
+   const Sum limit = Sum(std::min<uint64_t>(wanted, std::numeric_limits<Sum>::max() - 1));
+   Sum close = 0;
+   for (int d = 0; d < lanes; ++d) close = Sum(close + (sums[d] <= limit ? 1 : 0));
+   int near = 0;
+   for (int d = std::max(pixel.winner - 1, 0); d <= std::min(pixel.winner + 1, disparities - 1); ++d)
+      near += sums[d] <= limit ? 1 : 0;
+   return int(close) == near;
+}
+
+/// In sixteenths of a pixel.
+template <class Sum>
+STEREO_INTO_CLONES uint16_t refined(const Sum* sums, int disparities, PixelResult<Sum> pixel) {
+   const int d = pixel.winner;
+   if (d == 0 || d == disparities - 1) return uint16_t(16 * d);
+   const int64_t u = int64_t(sums[d - 1]) - pixel.smallest, v = int64_t(sums[d + 1]) - pixel.smallest;
+   const int64_t larger = std::max(u, v), offset = larger == 0 ? 0 : (u - v) * 128 / larger;
+   return uint16_t((256 * d + offset + 15) >> 4);
+}
+
+/// Offers the sums of map column x to the pixels x+d of the other image. Columns come from left to right, so that each
+/// pixel sees its largest disparity first.
+template <class Sum>
+STEREO_INTO_CLONES void offer(OtherWinners<Sum>& other, int x, const Sum* __restrict sums, int lanes, Ties ties) {
+   Sum* const __restrict best = other.best.data() + x;
+   Sum* const __restrict disparity = other.disparity.data() + x;
+   const Sum smaller_wins = ties == Ties::smallest ? 1 : 0;  // among equal sums
+   for (int d = 0; d < lanes; ++d) {
+      const bool better = sums[d] < Sum(best[d] + smaller_wins);
+      disparity[d] = better ? Sum(d) : disparity[d];
+      best[d] = better ? sums[d] : best[d];
+   }
+}
+
+template <class Difference, class Sum, class Pixel>
+struct Matcher {
+   Matcher(const AlignedPair<Pixel>& aligned, const Matching& options, int padded, DisparityMap& result)
+       : pair(aligned),
+         matching(options),
+         lanes(padded),
+         before(std::min(rows_above(options), aligned.columns - 1)),
+         after(std::min(rows_below(options), aligned.columns - 1)),
+         columns(std::size_t(aligned.columns) * std::size_t(padded)),
+         sums(std::size_t(padded)),
+         winners(std::size_t(result.width)),
+         other(aligned.columns + padded),
+         map(result) {}
+
+   STEREO_INTO_CLONES Sum* column(int x) { return columns.data() + std::ptrdiff_t(x) * lanes; }
+
+   STEREO_INTO_CLONES void move_window_down(int row_in, int row_out) {
+      const auto compared = [&](int x, int y) { return Compared<Pixel>{pair.left.row(y) + x, pair.right.row(y)[x]}; };
+      for (int x = 0; x < pair.columns; ++x)
+         exchange_rows<Difference>(column(x), compared(x, row_in), compared(x, row_out), lanes);
+   }
+
+   STEREO_INTO_CLONES void match_row(int y) {
+      other.restart();
+      std::fill(sums.begin(), sums.end(), Sum(0));
+      for (int x = 0; x < after; ++x) add_column(sums.data(), column(x), lanes);
+      for (int x = 0; x < map.width; ++x) {
+         if (x + after < pair.columns) add_column(sums.data(), column(x + after), lanes);
+         if (x - before > 0) remove_column(sums.data(), column(x - before - 1), lanes);
+         std::fill(sums.begin() + matching.disparities, sums.end(), std::numeric_limits<Sum>::max());
+         if (matching.has_left_right_check()) offer(other, x, sums.data(), lanes, matching.ties);
+         match_pixel(x, y);
+      }
+      if (matching.has_left_right_check()) check_left_right(y);
+   }
+
+   STEREO_INTO_CLONES void match_pixel(int x, int y) {
+      const PixelResult<Sum> pixel = find_winner(sums.data(), lanes, matching.ties);
+      winners[std::size_t(x)] = pixel.winner;
+      const int disparities = matching.disparities;
+      map.at(x, y) = matching.subpixel ? refined(sums.data(), disparities, pixel) : uint16_t(pixel.winner);
+      if (matching.has_uniqueness_check() &&
+          !is_unique(sums.data(), disparities, lanes, pixel, matching.uniqueness_percent))
+         map.valid_at(x, y) = 0;
+   }
+
+   STEREO_INTO_CLONES void check_left_right(int y) {
+      for (int x = 0; x < map.width; ++x) {
+         const int winner = winners[std::size_t(x)], back = int(other.disparity[std::size_t(x + winner)]);
+         if (std::abs(back - winner) > matching.left_right_threshold) map.valid_at(x, y) = 0;
+      }
+   }
+
+   const AlignedPair<Pixel>& pair;
+   const Matching& matching;
+   int lanes, before, after;  ///< columns of the window before and after its centre's
+   std::vector<Sum> columns;  ///< [x][d]: sums over the window's rows
+   std::vector<Sum> sums;     ///< [d]: sums over the window
+   std::vector<int> winners;  ///< [x]: of this row
+   OtherWinners<Sum> other;
+   DisparityMap& map;
+};
+
+template <class Difference, class Sum, class Pixel>
+STEREO_INTO_CLONES void match_rows(const AlignedPair<Pixel>& pair, const Matching& matching, DisparityMap& map) {
+   const int lanes = (matching.disparities + kLanes - 1) / kLanes * kLanes;
+   Matcher<Difference, Sum, Pixel> matcher(pair, matching, lanes, map);
+   const int above = std::min(rows_above(matching), map.height - 1);
+   const int below = std::min(rows_below(matching), map.height - 1);
+   for (int y = -below; y < map.height; ++y) {  // rows above 0 only take in what lies below them
+      matcher.move_window_down(y + below, y - above - 1);
+      if (y >= 0) matcher.match_row(y);
+   }
+}
+
+using Bytes = AlignedPair<uint8_t>;
+using Words = AlignedPair<uint64_t>;
+
+STEREO_VECTOR_CLONES void match_sad_16(const Bytes& pair, const Matching& matching, DisparityMap& map) {
+   match_rows<AbsoluteDifference, uint16_t>(pair, matching, map);
+}
+STEREO_VECTOR_CLONES void match_sad_32(const Bytes& pair, const Matching& matching, DisparityMap& map) {
+   match_rows<AbsoluteDifference, uint32_t>(pair, matching, map);
+}
+STEREO_VECTOR_CLONES void match_ssd_32(const Bytes& pair, const Matching& matching, DisparityMap& map) {
+   match_rows<SquaredDifference, uint32_t>(pair, matching, map);
+}
+STEREO_VECTOR_CLONES void match_census_16(const Words& pair, const Matching& matching, DisparityMap& map) {
+   match_rows<HammingDistance, uint16_t>(pair, matching, map);
+}
+STEREO_VECTOR_CLONES void match_census_32(const Words& pair, const Matching& matching, DisparityMap& map) {
+   match_rows<HammingDistance, uint32_t>(pair, matching, map);
+}
+
+/// Every window sum, and one more for OtherWinners, is below the largest 16-bit number.
+bool fits_16_bits(int width, int height, const Matching& matching) {
+   const int64_t columns = std::min(matching.window_px, cost_columns(width, matching));
+   return columns * std::min(matching.window_px, height) * largest_pixel_cost(matching) <
+          std::numeric_limits<uint16_t>::max() - 1;
+}
+
+}  // namespace
+
+DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
+   const bool narrow = fits_16_bits(left.width, left.height, matching);
+   if (matching.cost == Cost::census) {
+      const int width = matching.census_width_px, height = matching.census_height_px;
+      const Words pair(fast::census(left, width, height), fast::census(right, width, height), left.width, matching,
+                       kLanes);
+      (narrow ? match_census_16 : match_census_32)(pair, matching, map);
+   } else {
+      const Bytes pair(left.pixels, right.pixels, left.width, matching, kLanes);
+      (matching.cost == Cost::ssd ? match_ssd_32 : narrow ? match_sad_16 : match_sad_32)(pair, matching, map);
+   }
+   return map;
+}
+
+}  // namespace stereo::block_matching

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "definition/gray_image.hpp"
+
+namespace stereo::fast {
+
+/// The census transform of docs/algorithm.md, of each pixel in raster order. The window has odd sides, at most 9x7.
+std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px);
+
+}  // namespace stereo::fast

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/prefilter.hpp"
+
+#include <algorithm>
+
+#include "engines/fast/vector_clones.hpp"
+
+namespace stereo::fast {
+namespace {
+
+/// Columns 1 ... width-2 of a row; the rows beside it are above and below.
+STEREO_VECTOR_CLONES void filter_row(uint8_t* __restrict filtered, const uint8_t* __restrict above,
+                                     const uint8_t* __restrict row, const uint8_t* __restrict below, int width,
+                                     int cap) {
+   for (int x = 1; x < width - 1; ++x) {
+      const int16_t slope =
+          int16_t(above[x + 1] - above[x - 1] + 2 * (row[x + 1] - row[x - 1]) + below[x + 1] - below[x - 1]);
+      filtered[x] = uint8_t(std::min(std::max(int(slope), -cap), cap) + cap);
+   }
+}
+
+}  // namespace
+
+GrayImage prefilter_xsobel(const GrayImage& image, int cap) {
+   GrayImage filtered(image.width, image.height, uint8_t(cap));
+   const int last = image.height - 1;
+   for (int y = 0; y <= last; ++y) {
+      const int above = y > 0 ? y - 1 : std::min(1, last), below = y < last ? y + 1 : std::max(last - 1, 0);
+      filter_row(filtered.row(y), image.row(above), image.row(y), image.row(below), image.width, cap);
+   }
+   return filtered;
+}
+
+}  // namespace stereo::fast

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options (support/options.hpp) by name at run time.
+#pragma once
+
+#include <charconv>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "support/options.hpp"
+
+namespace stereo {
+
+struct OptionValue {
+   std::string name;
+   std::variant<int, bool, std::string> value;  ///< a number, a flag, or the word of a choice
+};
+
+/// The visitor that reads all options of a list.
+struct OptionReader {
+   std::vector<OptionValue> values;
+
+   void operator()(const char* name, int value, int, int, const char*) { values.push_back({name, value}); }
+   template <class Choice>
+   void operator()(const char* name, const Choice& value) {
+      if constexpr (std::is_same_v<Choice, bool>) values.push_back({name, value});
+      else values.push_back({name, std::string(Words<Choice>::kWords[std::size_t(value)])});
+   }
+};
+
+template <class Options>
+std::vector<OptionValue> option_values(const Options& options) {
+   OptionReader reader;
+   Options::options(options, reader);
+   return std::move(reader.values);
+}
+
+/// The visitor that gives the option of one name a value. Limits are checked later, when all are given.
+struct OptionSetter {
+   const std::string& name;
+   const std::string& text;
+   bool found = false;  ///< there is such an option
+   std::string wanted;  ///< what the text should have been; empty when it was taken
+   std::string known;   ///< all names
+
+   OptionSetter(const std::string& option, const std::string& value) : name(option), text(value) {}
+
+   void operator()(const char* option, int& value, int, int, const char*) {
+      if (!is(option)) return;
+      const char* const end = text.data() + text.size();
+      int number = 0;
+      const auto [rest, error] = std::from_chars(text.data(), end, number);
+      if (error != std::errc() || rest != end || text.empty()) wanted = "a whole number";
+      else value = number;
+   }
+   template <class Choice>
+   void operator()(const char* option, Choice& value) {
+      if (!is(option)) return;
+      for (std::size_t i = 0; i < std::size(Words<Choice>::kWords); ++i) {
+         if (text == Words<Choice>::kWords[i]) {
+            value = Choice(i);
+            wanted.clear();
+            return;
+         }
+         wanted += (wanted.empty() ? "" : " or ") + std::string(Words<Choice>::kWords[i]);
+      }
+   }
+
+  private:
+   bool is(const char* option) {
+      known += (known.empty() ? "" : ", ") + std::string(option);
+      found = found || name == option;
+      return name == option;
+   }
+};
+
+}  // namespace stereo

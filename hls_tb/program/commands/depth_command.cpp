@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/depth_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "program/commands/named_matching.hpp"
+#include "program/commands/options_json.hpp"
+#include "program/commands/positive_number.hpp"
+#include "program/commands/timed.hpp"
+#include "program/depth/depth.hpp"
+#include "program/depth/rectification.hpp"
+#include "program/depth/vertical_offset.hpp"
+#include "program/errors.hpp"
+#include "program/io/images.hpp"
+#include "program/io/opencv_images.hpp"
+#include "program/io/output_folder.hpp"
+#include "program/io/overview.hpp"
+
+namespace stereo::app {
+namespace {
+
+struct Arguments {
+   std::string calibration, extrinsics, left, right, config, out;
+   std::vector<std::string> settings;
+   double unit_mm = 1000;
+   bool rectified = false;
+};
+
+/// A pair that can be matched, in colour where the cameras' images are, and where it stands.
+struct PreparedPair {
+   cv::Mat left, right;
+   RectifiedGeometry geometry;
+
+   ImagePair gray() const { return {gray_of_any(left), gray_of_any(right)}; }
+};
+
+PreparedPair prepare(const Arguments& arguments) {
+   const Calibration calibration = load_calibration(arguments.calibration, arguments.extrinsics);
+   PreparedPair pair{read_8_bit_image(arguments.left), read_8_bit_image(arguments.right), {}};
+   require_same_size<InputError>(arguments.left, pair.left.size(), arguments.right, pair.right.size());
+   if (arguments.rectified) {
+      pair.geometry = rectified_geometry(calibration);
+      return pair;
+   }
+   const Rectification rectification = make_rectification(calibration, pair.left.cols, pair.left.rows);
+   if (const auto offset = vertical_offset(pair.gray()))
+      std::cout << "before rectification " << offset->features << " matching features lie " << offset->median_px
+                << " rows apart (median)\n";
+   return {rectification.left(pair.left), rectification.right(pair.right), rectification.geometry};
+}
+
+struct Depths {
+   int known = 0;
+   int nearest_mm = 0, farthest_mm = 0;  ///< of the known ones
+};
+
+Depths depths_of(const cv::Mat_<uint16_t>& image) {
+   Depths depths;
+   for (const int mm : image) {
+      if (mm == 0) continue;
+      depths.nearest_mm = depths.known == 0 ? mm : std::min(depths.nearest_mm, mm);
+      depths.farthest_mm = std::max(depths.farthest_mm, mm);
+      ++depths.known;
+   }
+   return depths;
+}
+
+nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const Algorithm& algorithm,
+                     const Depths& depths, double milliseconds) {
+   return {{"format", "stereo-hls depth 1"},
+           {"config", arguments.config},
+           {"parameters", options_json(algorithm.options())},
+           {"left", arguments.left},
+           {"right", arguments.right},
+           {"calibration", arguments.calibration},
+           {"rectified_before", arguments.rectified},
+           {"width_px", pair.left.cols},
+           {"height_px", pair.left.rows},
+           {"focal_px", pair.geometry.focal_px},
+           {"baseline_mm", pair.geometry.baseline * arguments.unit_mm},
+           {"depth_unit", "mm"},
+           {"known_px", depths.known},
+           {"nearest_mm", depths.nearest_mm},
+           {"farthest_mm", depths.farthest_mm},
+           {"milliseconds", milliseconds}};
+}
+
+std::string summary(const PreparedPair& pair, double baseline_mm, const Depths& depths) {
+   std::ostringstream text;
+   text << "focal length " << pair.geometry.focal_px << " px, baseline " << baseline_mm << " mm: depth of "
+        << depths.known << " of " << pair.left.total() << " pixels";
+   if (depths.known > 0) text << ", " << depths.nearest_mm << " ... " << depths.farthest_mm << " mm";
+   text << "\n";
+   return text.str();
+}
+
+void depth(const Arguments& arguments) {
+   const auto algorithm = named_algorithm(arguments.config, arguments.settings);
+   const PreparedPair pair = prepare(arguments);
+   const ImagePair gray = pair.gray();
+   std::cout << rectification_warning(gray);
+   double milliseconds = 0;
+   const DisparityMap map = timed(milliseconds, [&] { return match_named(arguments.config, gray, *algorithm); });
+   const MapGeometry map_geometry = algorithm->map_geometry(gray.left.width);
+   const std::vector<Point> points = points_of(at_image_size(map, map_geometry, gray.left.width),
+                                               map_geometry.reference, pair.geometry, arguments.unit_mm / 1000);
+   const cv::Mat image = depth_image(points, gray.left.width, gray.left.height);
+   const Depths depths = depths_of(image);
+
+   OutputFolder out(arguments.out);
+   out.add("depth.png", encode(image));
+   out.add("cloud.ply", encode_ply(points, map_geometry.reference == Reference::left ? pair.left : pair.right));
+   out.add("preview.png", encode_overview_png(gray, map, map_geometry));
+   for (const auto& [name, rectified] : {std::pair{"left.png", pair.left}, {"right.png", pair.right}}) {
+      if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
+      else out.add(name, encode(rectified));
+   }
+   out.add_json("depth.json", facts(arguments, pair, *algorithm, depths, milliseconds));
+   std::cout << summary(pair, pair.geometry.baseline * arguments.unit_mm, depths);
+   out.commit();
+}
+
+}  // namespace
+
+void add_depth(CLI::App& app) {
+   static Arguments arguments;
+   CLI::App* command =
+       app.add_subcommand("depth", "depth in millimetres and a point cloud in metres: depth.png, cloud.ply ...");
+   command->add_option("--calibration", arguments.calibration, "OpenCV's YAML: M1 D1 M2 D2 R T, or Q with --rectified")
+       ->required();
+   command->add_option("--extrinsics", arguments.extrinsics, "a second YAML file, where R and T stand apart");
+   command->add_option("--left", arguments.left, "left camera's image")->required();
+   command->add_option("--right", arguments.right, "right camera's image")->required();
+   command->add_option("--config", arguments.config, "configuration, run by the fast model on the whole images")
+       ->required();
+   command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
+       ->allow_extra_args(false);
+   command->add_option("--unit-mm", arguments.unit_mm, "millimetres of one unit of the calibration's T; 1000: metres")
+       ->check(check_positive_number)
+       ->capture_default_str();
+   command->add_flag("--rectified", arguments.rectified, "the images are rectified already");
+   command->add_option("--out", arguments.out, "folder for the results")->required();
+   command->callback([] { depth(arguments); });
+}
+
+}  // namespace stereo::app

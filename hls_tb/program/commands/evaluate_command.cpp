@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/evaluate_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "program/commands/named_matching.hpp"
+#include "program/commands/options_json.hpp"
+#include "program/commands/positive_number.hpp"
+#include "program/commands/timed.hpp"
+#include "program/errors.hpp"
+#include "program/evaluation/evaluation.hpp"
+#include "program/evaluation/opencv_matchers.hpp"
+#include "program/io/disparity_files.hpp"
+#include "program/io/images.hpp"
+#include "program/io/output_folder.hpp"
+
+namespace stereo::app {
+namespace {
+
+struct Arguments {
+   std::string left, right, truth_left, truth_right, json;
+   double truth_scale = 1, disparity_scale = 1;
+   int border_px = kIgnoredBorder;
+   std::vector<std::string> configs, settings, opencv, disparities, references;
+   int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
+};
+
+/// The images and, of each that has one, truth and masks.
+struct GroundTruth {
+   ImagePair pair;
+   std::optional<DisparityImage> left, right;
+   std::vector<NamedMask> left_masks, right_masks;
+
+   const std::optional<DisparityImage>& of(Reference side) const { return side == Reference::left ? left : right; }
+   const std::vector<NamedMask>& masks(Reference side) const {
+      return side == Reference::left ? left_masks : right_masks;
+   }
+};
+
+void require_size(const DisparityImage& image, const GrayImage& wanted, const std::string& what) {
+   if (!image.same_size(wanted))
+      throw InputError(what + ": is " + size_text(image) + " but the images are " + size_text(wanted));
+}
+
+std::optional<DisparityImage> load_truth(const std::string& option, const std::string& path, double scale,
+                                         const GrayImage& image) {
+   if (path.empty()) return std::nullopt;
+   DisparityImage truth = load_disparities(option, path, scale);
+   require_size(truth, image, option + " " + path);
+   return truth;
+}
+
+GroundTruth load(const Arguments& arguments) {
+   if (arguments.truth_left.empty() && arguments.truth_right.empty())
+      throw InputError("evaluate: give the true disparities with --truth-left, --truth-right or both");
+   GroundTruth truth;
+   truth.pair = load_pair(arguments.left, arguments.right);
+   truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.pair.left);
+   truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.pair.right);
+   const auto address = [](const std::optional<DisparityImage>& image) { return image ? &*image : nullptr; };
+   if (truth.left)
+      truth.left_masks =
+          evaluation_masks(truth.pair.left, *truth.left, address(truth.right), Reference::left, arguments.border_px);
+   if (truth.right)
+      truth.right_masks =
+          evaluation_masks(truth.pair.right, *truth.right, address(truth.left), Reference::right, arguments.border_px);
+   return truth;
+}
+
+void score(EvaluatedMethod& method, const DisparityImage& found, const GroundTruth& truth) {
+   const std::optional<DisparityImage>& wanted = truth.of(method.reference);
+   if (!wanted) return;
+   for (const NamedMask& mask : truth.masks(method.reference)) {
+      const Measures measures = measure(found, *wanted, mask.mask);
+      if (measures.pixels > 0) method.masks.push_back({mask.name, measures});
+   }
+}
+
+EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
+   const auto algorithm = named_algorithm(name, arguments.settings);
+   EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options()), 0, {}};
+   const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.pair, *algorithm); });
+   const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
+   method.reference = geometry.reference;
+   score(method, at_image_size(map, geometry, truth.pair.left.width), truth);
+   return method;
+}
+
+EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& arguments, const GroundTruth& truth) {
+   OpenCvMatcher matcher = OpenCvMatcher::stored(word == "bm" ? OpenCvMatcher::Kind::bm : OpenCvMatcher::Kind::sgbm);
+   if (arguments.opencv_disparities != 0) matcher.disparities = arguments.opencv_disparities;
+   if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
+   check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
+   EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher); }), truth);
+   return method;
+}
+
+EvaluatedMethod evaluate_file(const std::string& path, const std::string& reference, const Arguments& arguments,
+                              const GroundTruth& truth) {
+   const DisparityImage found = load_disparities("--disparity", path, arguments.disparity_scale);
+   require_size(found, truth.pair.left, "--disparity " + path);
+   EvaluatedMethod method{path,         "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}},
+                          kNoDisparity, {}};
+   score(method, found, truth);
+   return method;
+}
+
+void write_json(const std::string& path, const nlohmann::json& json) {
+   const std::filesystem::path file(path);
+   OutputFolder out(file.parent_path().empty() ? "." : file.parent_path().string(), "--json");
+   out.add_json(file.filename().string(), json);
+   out.commit();
+}
+
+void evaluate(const Arguments& arguments) {
+   if (arguments.disparities.size() != arguments.references.size())
+      throw InputError("--disparity: each of the " + std::to_string(arguments.disparities.size()) +
+                       " files needs its own --reference left or right, in the same order");
+   if (arguments.configs.empty() && arguments.opencv.empty() && arguments.disparities.empty())
+      throw InputError("evaluate: name what to evaluate with --config, --opencv or --disparity");
+   if (arguments.configs.empty() && !arguments.settings.empty())
+      throw InputError("--set: changes the options of configurations; name one with --config");
+   const GroundTruth truth = load(arguments);
+   Evaluation evaluation{arguments.left,         arguments.right,     truth.pair.left.width,
+                         truth.pair.left.height, arguments.border_px, {}};
+   for (const std::string& name : arguments.configs)
+      evaluation.methods.push_back(evaluate_core(name, arguments, truth));
+   for (const std::string& word : arguments.opencv)
+      evaluation.methods.push_back(evaluate_opencv(word, arguments, truth));
+   for (std::size_t i = 0; i < arguments.disparities.size(); ++i)
+      evaluation.methods.push_back(evaluate_file(arguments.disparities[i], arguments.references[i], arguments, truth));
+   std::cout << evaluation_text(evaluation);
+   if (!arguments.json.empty()) write_json(arguments.json, evaluation_json(evaluation));
+}
+
+void add_methods(CLI::App& command, Arguments& arguments) {
+   command
+       .add_option("--config", arguments.configs, "configuration, run by the fast model on the whole images; repeat it")
+       ->allow_extra_args(false);
+   command
+       .add_option("--set", arguments.settings,
+                   "NAME=VALUE: an option of all named configurations, such as window_px=9")
+       ->allow_extra_args(false);
+   command.add_option("--opencv", arguments.opencv, "OpenCV's StereoBM or StereoSGBM: bm or sgbm; repeat it")
+       ->allow_extra_args(false)
+       ->check(CLI::IsMember({"bm", "sgbm"}));
+   command.add_option("--opencv-disparities", arguments.opencv_disparities, "theirs; default 48")
+       ->check(CLI::PositiveNumber);
+   command.add_option("--opencv-block", arguments.opencv_block, "theirs; default 15 for bm, 3 for sgbm")
+       ->check(CLI::PositiveNumber);
+   command
+       .add_option("--disparity", arguments.disparities,
+                   "a result of the images' size: a file as --truth-left; repeat it")
+       ->allow_extra_args(false);
+   command.add_option("--reference", arguments.references, "left or right, one for each --disparity")
+       ->allow_extra_args(false)
+       ->check(CLI::IsMember(&reference_words()));
+   command.add_option("--disparity-scale", arguments.disparity_scale, "as --truth-scale, for --disparity")
+       ->check(check_positive_number)
+       ->capture_default_str();
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app) {
+   static Arguments arguments;
+   CLI::App* command = app.add_subcommand("evaluate", "measure disparity maps beside ground truth");
+   command->add_option("--left", arguments.left, "left image of the rectified pair")->required();
+   command->add_option("--right", arguments.right, "right image")->required();
+   command->add_option("--truth-left", arguments.truth_left,
+                       "the left image's true disparities: PFM, 8 bits (0 unknown) or 16 bits as KITTI's");
+   command->add_option("--truth-right", arguments.truth_right, "the right image's");
+   command->add_option("--truth-scale", arguments.truth_scale, "grey levels a pixel of 8-bit truth")
+       ->check(check_positive_number)
+       ->capture_default_str();
+   command->add_option("--border", arguments.border_px, "pixels at each side of the images that do not count")
+       ->check(CLI::Range(0, 10000))
+       ->capture_default_str();
+   add_methods(*command, arguments);
+   command->add_option("--json", arguments.json, "file for the results, as JSON");
+   command->callback([] { evaluate(arguments); });
+}
+
+}  // namespace stereo::app

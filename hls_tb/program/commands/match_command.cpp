@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/match_command.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engines/clocked/core_modules.hpp"
+#include "engines/clocked/run_core.hpp"
+#include "program/commands/named_matching.hpp"
+#include "program/commands/options_json.hpp"
+#include "program/commands/pair_options.hpp"
+#include "program/commands/timed.hpp"
+#include "program/depth/vertical_offset.hpp"
+#include "program/errors.hpp"
+#include "program/evaluation/truth.hpp"
+#include "program/io/images.hpp"
+#include "program/io/output_folder.hpp"
+#include "program/io/overview.hpp"
+
+namespace stereo::app {
+namespace {
+
+enum class Engine { fast, clocked };
+
+struct Arguments {
+   std::string config, left, right, out;
+   std::string truth, visible;  ///< the reference image's true disparities and what counts of them; both or none
+   Engine engine = Engine::fast;
+   Fit fit = Fit::none;
+};
+
+/// The pair at the size that is matched.
+ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& configuration) {
+   const Image& wanted = configuration.shape.image;
+   ImagePair pair = load_pair(arguments.left, arguments.right);
+   if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
+      pair = fit_pair(std::move(pair), wanted.width_px, wanted.height_px, arguments.fit);
+   else if (pair.left.width != wanted.width_px || pair.left.height != wanted.height_px)
+      std::cout << "the images are " << size_text(pair.left) << ", not the "
+                << size_text(wanted.width_px, wanted.height_px) << " of " << configuration.name
+                << ": its options are applied to the whole images\n";
+   const MapGeometry map = configuration.algorithm->map_geometry(pair.left.width);
+   if (map.width < 1)
+      throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
+                       " pixels wide but must be wider than the " + std::to_string(map.disparities) +
+                       " disparities of " + configuration.name + " from " + std::to_string(map.min_disparity) +
+                       " on; give larger images or another --config");
+   return pair;
+}
+
+TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, const MapGeometry& geometry,
+                          const GrayImage& reference) {
+   const GrayImage truth = load_gray(arguments.truth), visible = load_gray(arguments.visible);
+   const auto require_size = [&](const std::string& option, const GrayImage& image) {
+      if (!image.same_size(reference))
+         throw InputError(option + ": the image is " + size_text(image) + " but the matched " +
+                          word_of(geometry.reference) + " image is " + size_text(reference));
+   };
+   require_size("--truth " + arguments.truth, truth);
+   require_size("--visible " + arguments.visible, visible);
+   return score_against_truth(map, geometry, truth, visible);
+}
+
+DisparityMap match_clocked(const ImagePair& pair, const Configuration& configuration) {
+   const CoreModule& core = core_module(configuration.name);
+   const Stimulus stimulus = make_stimulus(configuration.name, core.shape, pair);
+   const std::vector<DisparityMap> frames = collect_frames(run_core(core, stimulus.clocks), core.shape);
+   if (frames.size() != 1)
+      throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
+   return frames.front();
+}
+
+const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
+
+/// Share of the map's pixels that are valid.
+double density(const DisparityMap& map) {
+   return double(std::count(map.valid.begin(), map.valid.end(), 1)) / double(map.valid.size());
+}
+
+/// What match.json holds, and what is printed.
+struct Facts {
+   nlohmann::json json;
+   std::ostringstream text;
+};
+
+void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& map, const Algorithm& algorithm,
+                  const ImagePair& pair, double milliseconds) {
+   const bool fast = arguments.engine == Engine::fast;
+   const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
+   facts.json = options_json(algorithm.options());
+   facts.json.update({{"format", "stereo-hls match 1"},
+                      {"config", arguments.config},
+                      {"engine", fast ? "fast" : "clocked"},
+                      {"left", arguments.left},
+                      {"right", arguments.right},
+                      {"fit", fit_word(arguments.fit)},
+                      {"width_px", pair.left.width},
+                      {"height_px", pair.left.height},
+                      {"output_width_px", map.width},
+                      {"output_height_px", map.height},
+                      {"output_first_column", geometry.first_column},
+                      {"disparity_steps_per_px", map.steps_per_pixel()},
+                      {"density", density(map)},
+                      {"milliseconds", milliseconds}});
+   facts.text << size_text(pair.left) << ", " << algorithm.description() << " -> " << size_text(map) << ", "
+              << (fast ? "fast model" : "clocked core") << ", " << std::fixed << std::setprecision(2) << milliseconds
+              << " ms\n";
+   if (geometry.has_check) facts.text << "valid pixels: " << 100 * density(map) << " %\n";
+}
+
+void add_truth(Facts& facts, const Arguments& arguments, const TruthScore& truth) {
+   facts.json["truth"] = {
+       {"disparity", arguments.truth},  {"visible", arguments.visible}, {"tolerance_px", kBadPixelTolerance},
+       {"compared_px", truth.compared}, {"bad_px", truth.bad},          {"invalid_px", truth.invalid}};
+   facts.text << "bad pixels (> " << kBadPixelTolerance << " px): " << truth.bad << " of " << truth.compared
+              << " visible ones (" << 100.0 * truth.bad / std::max(truth.compared, 1) << " %)";
+   if (truth.invalid > 0) facts.text << "; " << truth.invalid << " visible ones are invalid and do not count";
+   facts.text << '\n';
+}
+
+void match(const Arguments& arguments) {
+   const Configuration& configuration = require_configuration(arguments.config);
+   const Algorithm& algorithm = *configuration.algorithm;
+   const ImagePair pair = load_pair_to_match(arguments, configuration);
+   std::cout << rectification_warning(pair);
+   double milliseconds = 0;
+   const DisparityMap map = timed(milliseconds, [&] {
+      return arguments.engine == Engine::fast ? algorithm.match_fast(pair.left, pair.right)
+                                              : match_clocked(pair, configuration);
+   });
+
+   Facts facts;
+   add_matching(facts, arguments, map, algorithm, pair, milliseconds);
+   const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
+   const GrayImage& reference = geometry.reference == Reference::left ? pair.left : pair.right;
+   if (!arguments.truth.empty()) add_truth(facts, arguments, load_and_score(arguments, map, geometry, reference));
+
+   OutputFolder out(arguments.out);
+   out.add("disparity.png", encode_png(map));
+   out.add("disparity_color.png", encode_color_png(map, geometry.disparities));
+   if (geometry.has_check) out.add("valid.png", encode_valid_png(map));
+   else out.leave_out("valid.png", {arguments.left, arguments.right, arguments.truth, arguments.visible});
+   out.add("overview.png", encode_overview_png(pair, map, geometry));
+   out.add_json("match.json", facts.json);
+   std::cout << facts.text.str();
+   out.commit();
+}
+
+}  // namespace
+
+void add_match(CLI::App& app) {
+   static Arguments arguments;
+   static const std::map<std::string, Engine> kEngines{{"fast", Engine::fast}, {"clocked", Engine::clocked}};
+   CLI::App* command = app.add_subcommand("match", "make a disparity map: disparity.png, overview.png, match.json ...");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the results")->required();
+   add_choice(*command, "--engine", arguments.engine, kEngines,
+              "fast (default): the software model, any size; clocked: the hardware's C++");
+   add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
+   CLI::Option* truth =
+       command->add_option("--truth", arguments.truth, "true disparities of the reference image: count bad pixels");
+   truth->needs(command->add_option("--visible", arguments.visible, "pixels that count: not 0")->needs(truth));
+   command->callback([] { match(arguments); });
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What commands with --config and --set share: a named configuration, its options, and the fast model with them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engines/configurations.hpp"
+
+namespace stereo::app {
+
+/// Throws InputError with the list of the known ones.
+const Configuration& require_configuration(const std::string& name);
+
+/// The algorithm of a named configuration with some options set ("window_px=9"). Throws InputError.
+std::shared_ptr<const Algorithm> named_algorithm(const std::string& config, const std::vector<std::string>& settings);
+
+/// The fast model on images of any size. What does not fit together becomes an InputError that names the configuration.
+DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm);
+
+}  // namespace stereo::app

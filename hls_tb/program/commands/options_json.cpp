@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/options_json.hpp"
+
+#include "program/errors.hpp"
+
+namespace stereo::app {
+
+const char* word_of(Reference reference) { return Words<Reference>::kWords[std::size_t(reference)]; }
+
+const std::map<std::string, Reference>& reference_words() {
+   static const std::map<std::string, Reference> words{{word_of(Reference::left), Reference::left},
+                                                       {word_of(Reference::right), Reference::right}};
+   return words;
+}
+
+nlohmann::json options_json(const std::vector<OptionValue>& options) {
+   nlohmann::json json = nlohmann::json::object();
+   for (const OptionValue& option : options)
+      std::visit([&](const auto& value) { json[option.name] = value; }, option.value);
+   return json;
+}
+
+std::shared_ptr<const Algorithm> with_options(std::shared_ptr<const Algorithm> algorithm,
+                                              const std::vector<std::string>& settings) {
+   for (const std::string& setting : settings) {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos)
+         throw InputError("--set " + setting + ": must be NAME=VALUE, such as window_px=9");
+      try {
+         algorithm = algorithm->with(setting.substr(0, equals), setting.substr(equals + 1));
+      } catch (const std::invalid_argument& problem) {
+         throw InputError("--set " + setting + ": " + problem.what());
+      }
+   }
+   return algorithm;
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of an algorithm as JSON and from the command line.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engines/algorithm.hpp"
+
+namespace stereo::app {
+
+nlohmann::json options_json(const std::vector<OptionValue>& options);
+
+/// An algorithm with some of its options set by texts such as "window_px=9", "cost=census" or "median=true". What
+/// values fit together it says when it matches. Throws InputError with one sentence that begins with `--set` and the
+/// text.
+std::shared_ptr<const Algorithm> with_options(std::shared_ptr<const Algorithm> algorithm,
+                                              const std::vector<std::string>& settings);
+
+const char* word_of(Reference reference);
+const std::map<std::string, Reference>& reference_words();
+
+}  // namespace stereo::app

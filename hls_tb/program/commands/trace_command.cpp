@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/trace_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "engines/clocked/core_modules.hpp"
+#include "engines/clocked/register_trace.hpp"
+#include "program/commands/named_matching.hpp"
+#include "program/io/output_folder.hpp"
+
+namespace stereo::app {
+namespace {
+
+struct TraceArguments {
+   std::string config, out;
+   int clocks = 1000;
+};
+
+void trace(const TraceArguments& arguments) {
+   constexpr int kStallPercent = 20;
+   constexpr uint64_t kSeed = 1;
+   const CoreModule& core = core_module(require_configuration(arguments.config).name);
+   const int pixels = core.shape.image.pixels_per_clock;
+   StimulusWriter writer(pixels, kStallPercent, kSeed);
+   writer.bubbles(4);
+   writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});
+   writer.random_records(arguments.clocks);
+   writer.clocks.resize(std::size_t(arguments.clocks));
+   std::ostringstream text;
+   trace_core(core, {core.name, pixels, writer.clocks}, text);
+   OutputFolder out(arguments.out);
+   out.add("trace.txt", text.str());
+   out.commit();
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app) {
+   static TraceArguments arguments;
+   CLI::App* command = app.add_subcommand("trace", "trace all registers of the clocked core: trace.txt");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the result")->required();
+   command->add_option("--clocks", arguments.clocks, "length")->check(CLI::Range(10, 1000000))->capture_default_str();
+   command->callback([] { trace(arguments); });
+}
+
+}  // namespace stereo::app

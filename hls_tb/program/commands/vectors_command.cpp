@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/vectors_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+#include <sstream>
+
+#include "cosim/vector_files.hpp"
+#include "engines/clocked/core_modules.hpp"
+#include "engines/clocked/run_core.hpp"
+#include "program/commands/named_matching.hpp"
+#include "program/commands/pair_options.hpp"
+#include "program/errors.hpp"
+#include "program/io/images.hpp"
+#include "program/io/output_folder.hpp"
+
+namespace stereo::app {
+namespace {
+
+RowRange parse_rows(const std::string& text) {
+   RowRange rows;
+   const char* const end = text.data() + text.size();
+   const auto first = std::from_chars(text.data(), end, rows.first);
+   if (first.ec == std::errc() && first.ptr != end && *first.ptr == ':') {
+      const auto last = std::from_chars(first.ptr + 1, end, rows.end);
+      if (last.ec == std::errc() && last.ptr == end) return rows;
+   }
+   throw InputError("--rows " + text + ": must be A:B, the first row and the one after the last, such as 10:20");
+}
+
+template <class Content, class Writer>
+std::string text_of(const Content& content, Writer write) {
+   std::ostringstream out;
+   write(out, content);
+   return out.str();
+}
+
+struct VectorsArguments {
+   std::string config, left, right, out;
+   std::string rows;  ///< "A:B"; empty for all
+   Fit fit = Fit::none;
+   StimulusOptions options;
+};
+
+void vectors(const VectorsArguments& arguments) {
+   const CoreModule& core = core_module(require_configuration(arguments.config).name);
+   const Image& image = core.shape.image;
+   StimulusOptions options = arguments.options;
+   if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
+   const ImagePair pair =
+       fit_pair(load_pair(arguments.left, arguments.right), image.width_px, image.height_px, arguments.fit);
+   const Stimulus stimulus = make_stimulus(core.name, core.shape, pair, options);
+   const Expected expected{core.name, image.pixels_per_clock, core.shape.disparity_bits,
+                           core.shape.schedule.latency_clocks, run_core(core, stimulus.clocks)};
+   OutputFolder out(arguments.out);
+   out.add("stimulus.txt", text_of(stimulus, write_stimulus));
+   out.add("expected.txt", text_of(expected, write_expected));
+   std::cout << stimulus.clocks.size() << " clocks, " << expected.outputs.size() << " outputs\n";
+   out.commit();
+}
+
+}  // namespace
+
+void add_vectors(CLI::App& app) {
+   static VectorsArguments arguments;
+   StimulusOptions& options = arguments.options;
+   CLI::App* command = app.add_subcommand("vectors", "make test vectors for the hardware: stimulus.txt, expected.txt");
+   command->add_option("--config", arguments.config, "configuration")->required();
+   command->add_option("--out", arguments.out, "folder for the results")->required();
+   command->add_option("--rows", arguments.rows, "send only image rows A:B, B excluded");
+   command->add_option("--frames", options.frames, "frames back to back, odd ones upside down")
+       ->check(CLI::Range(1, 1000))
+       ->capture_default_str();
+   command->add_option("--stall-percent", options.stall_percent, "chance of a bubble before a pixel pair")
+       ->check(CLI::Range(0, 95))
+       ->capture_default_str();
+   command->add_option("--seed", options.seed, "of the bubbles and flush rows")
+       ->capture_default_str()
+       ->check(CLI::NonNegativeNumber);
+   add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
+   command->callback([] { vectors(arguments); });
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/video_command.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <opencv2/imgproc.hpp>
+
+#include "program/commands/named_matching.hpp"
+#include "program/commands/positive_number.hpp"
+#include "program/commands/timed.hpp"
+#include "program/depth/vertical_offset.hpp"
+#include "program/errors.hpp"
+#include "program/io/opencv_images.hpp"
+#include "program/video/frame_sink.hpp"
+#include "program/video/frame_source.hpp"
+
+namespace stereo::app {
+namespace {
+
+constexpr double kUsualRate = 25;  ///< frames a second, of a folder of images
+const cv::Scalar kOutside(32, 32, 32);
+
+struct Arguments {
+   std::string left, right, side_by_side, config, out;
+   std::vector<std::string> settings;
+   double frames_per_second = 0;  ///< 0: the input's
+};
+
+PairSource open_pair(const Arguments& arguments) {
+   if (!arguments.side_by_side.empty()) return PairSource(open_frames("--side-by-side", arguments.side_by_side));
+   if (arguments.left.empty() || arguments.right.empty())
+      throw InputError("video: give --left and --right, or --side-by-side");
+   return {open_frames("--left", arguments.left), open_frames("--right", arguments.right)};
+}
+
+cv::Mat in_color(const cv::Mat& frame) {
+   cv::Mat color;
+   if (frame.channels() == 3) return frame;
+   cv::cvtColor(frame, color, frame.channels() == 1 ? cv::COLOR_GRAY2BGR : cv::COLOR_BGRA2BGR);
+   return color;
+}
+
+/// The reference image, and beside it the map at the columns that it belongs to.
+cv::Mat beside(const cv::Mat& reference, const DisparityMap& map, const MapGeometry& geometry) {
+   const int width = reference.cols;
+   cv::Mat page(reference.rows, 2 * width, CV_8UC3, kOutside);
+   in_color(reference).copyTo(page.colRange(0, width));
+   const int first = width + geometry.first_column;
+   colored(map, geometry.disparities).copyTo(page.colRange(first, first + map.width));
+   return page;
+}
+
+/// Says how far it has come: on a terminal always in one line, else a line now and then.
+class Progress {
+  public:
+   void frame_done() {
+      ++frames_;
+      const double now = seconds(), wait = terminal_ ? 0.2 : 5;
+      if (now - said_ < wait) return;
+      said_ = now;
+      std::cout << (terminal_ ? "\r" : "") << frames_ << " frames, " << std::fixed << std::setprecision(1)
+                << frames_ / now << " frames a second" << (terminal_ ? "   " : "\n") << std::flush;
+   }
+   int frames() const { return frames_; }
+   void summary(double matching_seconds, cv::Size size) const {
+      std::cout << (terminal_ && said_ > 0 ? "\r" : "") << frames_ << " frames of " << size_text(size) << ": "
+                << std::fixed << std::setprecision(1) << frames_ / matching_seconds
+                << " frames a second in the matching alone, " << frames_ / seconds() << " overall\n";
+   }
+
+  private:
+   using Clock = std::chrono::steady_clock;
+   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+   Clock::time_point start_ = Clock::now();
+   bool terminal_ = isatty(STDOUT_FILENO) == 1;
+   double said_ = 0;
+   int frames_ = 0;
+};
+
+void video(const Arguments& arguments) {
+   const auto algorithm = named_algorithm(arguments.config, arguments.settings);
+   PairSource source = open_pair(arguments);
+   const double own_rate = source.frames_per_second(), rate = arguments.frames_per_second > 0
+                                                                  ? arguments.frames_per_second
+                                                              : own_rate > 0 ? own_rate
+                                                                             : kUsualRate;
+   std::unique_ptr<FrameSink> sink;
+   Progress progress;
+   double matching_seconds = 0;
+   cv::Size size;
+   for (FramePair frames = source.next(); !frames.empty(); frames = source.next()) {
+      const ImagePair pair{gray_of_any(frames.left), gray_of_any(frames.right)};
+      if (!sink) std::cout << rectification_warning(pair);
+      double milliseconds = 0;
+      const DisparityMap map = timed(milliseconds, [&] { return match_named(arguments.config, pair, *algorithm); });
+      matching_seconds += milliseconds / 1000;
+      const MapGeometry geometry = algorithm->map_geometry(pair.left.width);
+      const cv::Mat page = beside(geometry.reference == Reference::left ? frames.left : frames.right, map, geometry);
+      size = frames.left.size();
+      if (!sink) sink = make_frame_sink(arguments.out, rate, page.size());
+      sink->add(page);
+      progress.frame_done();
+   }
+   progress.summary(matching_seconds, size);
+   sink->commit();
+}
+
+}  // namespace
+
+void add_video(CLI::App& app) {
+   static Arguments arguments;
+   CLI::App* command = app.add_subcommand("video", "disparity maps of a stereo video, in colour beside the input");
+   CLI::Option* left = command->add_option("--left", arguments.left, "left camera: a video file or a folder of images");
+   CLI::Option* right = command->add_option("--right", arguments.right, "right camera");
+   command->add_option("--side-by-side", arguments.side_by_side, "both in one: a video file or a folder of images")
+       ->excludes(left)
+       ->excludes(right);
+   command->add_option("--config", arguments.config, "configuration, run by the fast model on whole frames")
+       ->required();
+   command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
+       ->allow_extra_args(false);
+   command->add_option("--frames-per-second", arguments.frames_per_second, "of the result; default: the input's, or 25")
+       ->check(check_positive_number)
+       ->check(CLI::Range(0.1, 1000.0));
+   command->add_option("--out", arguments.out, "a video NAME.avi, or a folder for images")->required();
+   command->callback([] { video(arguments); });
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/depth/depth.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace stereo::app {
+namespace {
+
+void append(std::string& bytes, float value) {
+   const auto word = std::bit_cast<uint32_t>(value);
+   for (int i = 0; i < 4; ++i) bytes += char(uint8_t(word >> (8 * i)));
+}
+
+bool is_known(const Point& point) { return point.z_m > 0; }
+
+}  // namespace
+
+std::vector<Point> points_of(const DisparityImage& disparity, Reference reference, const RectifiedGeometry& geometry,
+                             double metres_per_unit) {
+   const double baseline_m = geometry.baseline * metres_per_unit;
+   std::vector<Point> points(disparity.px.size(), Point{0, 0, 0});
+   auto point = points.begin();
+   for (int y = 0; y < disparity.height; ++y)
+      for (int x = 0; x < disparity.width; ++x, ++point) {
+         const double found = double(disparity.at(x, y)), parallax = found - geometry.cx_difference_px;
+         if (!(parallax > 0)) continue;  // also where there is no disparity
+         const double left_x = reference == Reference::left ? x : x + found;
+         const double metres_per_px = baseline_m / parallax;
+         *point = {float((left_x - geometry.cx_px) * metres_per_px), float((y - geometry.cy_px) * metres_per_px),
+                   float(geometry.focal_px * metres_per_px)};
+      }
+   return points;
+}
+
+cv::Mat depth_image(const std::vector<Point>& points, int width_px, int height_px) {
+   cv::Mat_<uint16_t> image(height_px, width_px);
+   std::transform(points.begin(), points.end(), image.begin(), [](const Point& point) {
+      const double mm = std::round(1000 * double(point.z_m));
+      return mm <= kLargestDepthMm ? uint16_t(mm) : uint16_t(0);
+   });
+   return image;
+}
+
+std::string encode_ply(const std::vector<Point>& points, const cv::Mat& colors) {
+   std::string bytes =
+       "ply\nformat binary_little_endian 1.0\ncomment metres, seen from the rectified left camera: x to the "
+       "right, y down, z forward\nelement vertex " +
+       std::to_string(std::count_if(points.begin(), points.end(), is_known)) +
+       "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar "
+       "green\nproperty uchar blue\nend_header\n";
+   const int channels = colors.channels();
+   auto point = points.begin();
+   for (int y = 0; y < colors.rows; ++y)
+      for (int x = 0; x < colors.cols; ++x, ++point) {
+         if (!is_known(*point)) continue;
+         for (const float value : {point->x_m, point->y_m, point->z_m}) append(bytes, value);
+         const uint8_t* const pixel = colors.ptr<uint8_t>(y) + std::ptrdiff_t(x) * channels;
+         for (const int channel : {2, 1, 0}) bytes += char(pixel[channels == 1 ? 0 : channel]);
+      }
+   return bytes;
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometry from the calibration to the point cloud, on pairs of known geometry.
+#include "program/depth/depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "definition/block_matching/models.hpp"
+#include "program/depth/rectification.hpp"
+#include "program/depth/vertical_offset.hpp"
+#include "program/errors.hpp"
+#include "program/io/opencv_images.hpp"
+#include "scene/scene.hpp"
+#include "testing/seed.hpp"
+
+namespace stereo::app {
+namespace {
+
+const RectifiedGeometry kGeometry{.focal_px = 500, .baseline = 100, .cx_px = 20, .cy_px = 10, .cx_difference_px = 0};
+
+TEST(Depth, IsFocalLengthTimesBaselineOverDisparity) {
+   DisparityImage disparity(40, 20, 7);
+   disparity.at(3, 2) = kNoDisparity;
+   disparity.at(4, 2) = 0;
+   disparity.at(5, 2) = -1;
+   disparity.at(6, 2) = 0.5F;  // 100 m
+   const std::vector<Point> points = points_of(disparity, Reference::left, kGeometry, 0.001);
+   const cv::Mat_<uint16_t> image = depth_image(points, 40, 20);
+   ASSERT_EQ(image.size(), cv::Size(40, 20));
+   EXPECT_EQ(image(0, 0), 7143) << "500 px * 100 mm / 7 px = 7142.857 mm";
+   for (const int unknown : {3, 4, 5, 6}) EXPECT_EQ(image(2, unknown), 0) << unknown;
+   EXPECT_EQ(cv::countNonZero(image), 800 - 4);
+   EXPECT_NEAR(points[2 * 40 + 6].z_m, 100, 1e-4) << "the cloud has it, the image cannot";
+   // Pixel 27,13: 7 px right of the principal point and 3 below it, at 100/7 mm a pixel.
+   const Point& point = points[13 * 40 + 27];
+   EXPECT_NEAR(point.x_m, 0.1, 1e-6);
+   EXPECT_NEAR(point.y_m, 0.3 / 7, 1e-6);
+}
+
+TEST(Depth, OfTheRightImageIsSeenFromTheLeftCameraToo) {
+   const std::vector<Point> left = points_of(DisparityImage(40, 1, 7), Reference::left, kGeometry, 0.001);
+   const std::vector<Point> right = points_of(DisparityImage(40, 1, 7), Reference::right, kGeometry, 0.001);
+   for (int x = 0; x + 7 < 40; ++x) EXPECT_FLOAT_EQ(right[std::size_t(x)].x_m, left[std::size_t(x) + 7].x_m);
+   EXPECT_EQ(right[0].z_m, left[0].z_m);
+}
+
+TEST(Depth, CountsDisparitiesFromInfinity) {
+   RectifiedGeometry geometry = kGeometry;
+   geometry.cx_difference_px = 5;
+   const cv::Mat_<uint16_t> image =
+       depth_image(points_of(DisparityImage(2, 1, 7), Reference::left, geometry, 0.001), 2, 1);
+   EXPECT_EQ(image(0, 0), 25000) << "500 px * 100 mm / (7 - 5) px";
+}
+
+TEST(Depth, CloudHoldsWhatIsKnown) {
+   DisparityImage disparity(3, 1, 5);
+   disparity.at(1, 0) = kNoDisparity;
+   const std::vector<Point> points = points_of(disparity, Reference::left, kGeometry, 0.001);
+   const cv::Mat colors = (cv::Mat_<cv::Vec3b>(1, 3) << cv::Vec3b(1, 2, 3), cv::Vec3b(4, 5, 6), cv::Vec3b(7, 8, 9));
+   const std::string ply = encode_ply(points, colors);
+   ASSERT_EQ(ply.find("ply\nformat binary_little_endian 1.0\n"), 0u);
+   EXPECT_NE(ply.find("element vertex 2\n"), std::string::npos);
+   const std::size_t body = ply.find("end_header\n") + 11;
+   ASSERT_EQ(ply.size() - body, 2u * 15u) << "three floats and three bytes a point";
+   float z = 0;
+   std::memcpy(&z, ply.data() + body + 8, 4);
+   EXPECT_EQ(z, 10.0F);
+   EXPECT_EQ(ply.substr(body + 12, 3), "\3\2\1") << "red first";
+   EXPECT_EQ(ply.substr(body + 27, 3), "\11\10\7");
+   const std::string gray = encode_ply(points, (cv::Mat_<uint8_t>(1, 3) << 50, 60, 70));
+   EXPECT_EQ(gray.substr(gray.size() - 3), "FFF");
+}
+
+cv::Mat camera(double focal, double cx, double cy) {
+   return (cv::Mat_<double>(3, 3) << focal, 0, cx, 0, focal, cy, 0, 0, 1);
+}
+
+cv::Mat rotation(double x, double y, double z) {
+   cv::Mat r;
+   cv::Rodrigues(cv::Mat_<double>((cv::Mat_<double>(3, 1) << x, y, z)), r);
+   return r;
+}
+
+GrayImage seen_by_turned_camera(const GrayImage& image, const cv::Mat& k, const cv::Mat& turn) {
+   GrayImage copy = image, result(image.width, image.height);
+   cv::warpPerspective(as_mat(copy), as_mat(result), k * turn * k.inv(), {image.width, image.height});
+   return result;
+}
+
+constexpr double kFocal = 600, kBaseline = 0.12;
+
+/// Two cameras, each turned away from the rectified frame, and what they see of a scene.
+struct TurnedCameras {
+   Scene scene = make_scene({.width = 480, .height = 360, .disparities = 48, .seed = test::test_seed()});
+   ImagePair seen;
+   Calibration calibration;
+
+   TurnedCameras() {
+      const cv::Mat k = camera(kFocal, 239.5, 179.5), left = rotation(0.02, 0.01, -0.03),
+                    right = rotation(-0.02, 0.015, 0.02);
+      seen = {seen_by_turned_camera(scene.images.left, k, left), seen_by_turned_camera(scene.images.right, k, right)};
+      calibration.m1 = calibration.m2 = k;
+      calibration.r = right * left.t();
+      calibration.t = -right * (cv::Mat_<double>(3, 1) << kBaseline, 0, 0);
+   }
+};
+
+TEST(Rectification, UndoesTheTurnOfTheCameras) {
+   const TurnedCameras cameras;
+   const auto before = vertical_offset(cameras.seen);
+   ASSERT_TRUE(before);
+   EXPECT_GT(before->median_px, 8) << "they are turned by more than two degrees against each other";
+   EXPECT_NE(rectification_warning(cameras.seen), "");
+
+   const Rectification rectification = make_rectification(cameras.calibration, 480, 360);
+   ImagePair copy = cameras.seen;
+   const ImagePair pair{gray_of_any(rectification.left(as_mat(copy.left))),
+                        gray_of_any(rectification.right(as_mat(copy.right)))};
+   const auto after = vertical_offset(pair);
+   ASSERT_TRUE(after);
+   EXPECT_LT(after->median_px, 0.5);
+   EXPECT_GT(after->features, 50);
+   EXPECT_EQ(rectification_warning(pair), "");
+   EXPECT_NEAR(rectification.geometry.baseline, kBaseline, 1e-9);
+   EXPECT_NEAR(rectification.geometry.cx_difference_px, 0, 1e-9);
+}
+
+// The distances of the scene's pixels, from the truth in the rectified frame, against those from the turned cameras.
+TEST(Rectification, DepthOfTurnedCamerasIsThatOfTheScene) {
+   const TurnedCameras cameras;
+   const Rectification rectification = make_rectification(cameras.calibration, 480, 360);
+   ImagePair copy = cameras.seen;
+   const ImagePair pair{gray_of_any(rectification.left(as_mat(copy.left))),
+                        gray_of_any(rectification.right(as_mat(copy.right)))};
+   const block_matching::Matching parameters{.disparities = 80,
+                                             .window_px = 11,
+                                             .reference = Reference::left,
+                                             .cost = Cost::census,
+                                             .left_right_threshold = 1,
+                                             .subpixel = true};
+   const DisparityImage found =
+       at_image_size(match_fast(pair.left, pair.right, parameters), map_geometry(parameters, 480), 480);
+   std::vector<float> depths, true_depths;
+   for (const Point& point : points_of(found, Reference::left, rectification.geometry, 1))
+      if (point.z_m > 0) depths.push_back(point.z_m);
+   for (const uint8_t disparity : cameras.scene.left_disparity.pixels)
+      if (disparity > 0) true_depths.push_back(float(kFocal * kBaseline / disparity));
+   ASSERT_GT(depths.size(), 480u * 360u / 3);
+   const auto median = [](std::vector<float>& values) {
+      std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+      return values[values.size() / 2];
+   };
+   EXPECT_NEAR(median(depths) / median(true_depths), 1, 0.1);
+}
+
+TEST(VerticalOffset, SaysNothingOfRectifiedOrTinyOrUnrelatedImages) {
+   const ImagePair scene =
+       make_scene({.width = 320, .height = 240, .disparities = 64, .seed = test::test_seed()}).images;
+   ASSERT_TRUE(vertical_offset(scene));
+   EXPECT_LE(vertical_offset(scene)->median_px, 0.5);
+   EXPECT_EQ(rectification_warning(scene), "");
+   EXPECT_FALSE(vertical_offset({GrayImage(32, 12), GrayImage(32, 12)}));
+   EXPECT_FALSE(vertical_offset({GrayImage(1, 1), GrayImage(1, 1)}));
+   EXPECT_FALSE(vertical_offset({GrayImage(300, 200, 90), GrayImage(300, 200, 90)})) << "no features";
+   const ImagePair other =
+       make_scene({.width = 320, .height = 240, .disparities = 64, .seed = test::test_seed() + 9}).images;
+   EXPECT_EQ(rectification_warning({scene.left, scene.left}), "");
+   EXPECT_EQ(rectification_warning({GrayImage(300, 200, 90), other.left}), "");
+}
+
+TEST(VerticalOffset, MeasuresAShift) {
+   const ImagePair scene =
+       make_scene({.width = 320, .height = 240, .disparities = 64, .seed = test::test_seed()}).images;
+   GrayImage lower(320, 240);
+   for (int y = 5; y < 240; ++y) std::copy_n(scene.right.row(y - 5), 320, lower.row(y));
+   const auto offset = vertical_offset({scene.left, lower});
+   ASSERT_TRUE(offset);
+   EXPECT_NEAR(offset->median_px, 5, 0.5);
+   EXPECT_NE(rectification_warning({scene.left, lower}).find("5.0 rows apart"), std::string::npos);
+}
+
+std::string sentence(const Calibration& calibration) {
+   try {
+      rectified_geometry(calibration);
+   } catch (const InputError& problem) {
+      return problem.what();
+   }
+   return "";
+}
+
+TEST(RectifiedGeometry, IsTheSameFromQAndFromProjectionsAndFromCameras) {
+   Calibration cameras, projections, q;
+   cameras.m1 = camera(500, 21, 11);
+   cameras.m2 = camera(500, 18, 11);
+   cameras.t = (cv::Mat_<double>(3, 1) << -100, 0, 0);
+   projections.p1 = (cv::Mat_<double>(3, 4) << 500, 0, 21, 0, 0, 500, 11, 0, 0, 0, 1, 0);
+   projections.p2 = (cv::Mat_<double>(3, 4) << 500, 0, 18, -50000, 0, 500, 11, 0, 0, 0, 1, 0);
+   q.q = (cv::Mat_<double>(4, 4) << 1, 0, 0, -21, 0, 1, 0, -11, 0, 0, 0, 500, 0, 0, 0.01, -0.03);
+   for (const Calibration& calibration : {cameras, projections, q}) {
+      const RectifiedGeometry geometry = rectified_geometry(calibration);
+      EXPECT_NEAR(geometry.focal_px, 500, 1e-9);
+      EXPECT_NEAR(geometry.baseline, 100, 1e-9);
+      EXPECT_NEAR(geometry.cx_px, 21, 1e-9);
+      EXPECT_NEAR(geometry.cy_px, 11, 1e-9);
+      EXPECT_NEAR(geometry.cx_difference_px, 3, 1e-9);
+   }
+}
+
+TEST(RectifiedGeometry, RefusesWhatIsNone) {
+   Calibration calibration;
+   EXPECT_NE(sentence(calibration).find("neither Q, nor"), std::string::npos);
+   calibration.m1 = camera(500, 20, 10);
+   calibration.t = (cv::Mat_<double>(3, 1) << 100, 0, 0);
+   EXPECT_NE(sentence(calibration).find("exchange --left and --right"), std::string::npos);
+   calibration.t = cv::Mat::zeros(3, 1, CV_64F);
+   EXPECT_NE(sentence(calibration).find("lacks the focal length or the baseline"), std::string::npos);
+   calibration.q = cv::Mat::zeros(4, 4, CV_64F);
+   EXPECT_NE(sentence(calibration).find("lacks the focal length or the baseline"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stereo::app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/io/images.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "program/errors.hpp"
+#include "program/io/opencv_images.hpp"
+#include "program/io/silent_stderr.hpp"
+
+namespace stereo::app {
+namespace {
+
+GrayImage cropped(const GrayImage& image, int width, int height) {
+   GrayImage result(width, height);
+   const int x = (image.width - width) / 2, y = (image.height - height) / 2;
+   for (int row = 0; row < height; ++row) std::memcpy(result.row(row), image.row(y + row) + x, std::size_t(width));
+   return result;
+}
+
+GrayImage resized(GrayImage image, int width, int height) {
+   cv::Mat result;
+   const bool shrinks = width <= image.width && height <= image.height;
+   cv::resize(as_mat(image), result, {width, height}, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+   return from_mat(result);
+}
+
+/// A picture of one plane of a map.
+template <class Value, class Shade>
+GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shade shade) {
+   GrayImage image(map.width, map.height);
+   std::transform(plane.begin(), plane.end(), image.pixels.begin(), [&](Value value) { return uint8_t(shade(value)); });
+   return image;
+}
+
+}  // namespace
+
+cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
+
+GrayImage from_mat(const cv::Mat& mat) {
+   GrayImage image(mat.cols, mat.rows);
+   mat.copyTo(as_mat(image));
+   return image;
+}
+
+cv::Mat read_image(const std::string& path, const std::string& name) {
+   if (!std::filesystem::exists(path)) throw InputError(name + ": there is no such file");
+   cv::Mat mat;
+   try {
+      const SilentStderr silent;
+      mat = cv::imread(path, cv::IMREAD_UNCHANGED);
+   } catch (const std::exception&) {  // cv::Exception, and others that OpenCV lets through
+      // Reported below, as an empty image.
+   }
+   if (mat.empty()) throw InputError(name + ": not an image that can be read; give a PNG, PGM, JPEG, BMP or TIFF file");
+   return mat;
+}
+
+cv::Mat read_8_bit_image(const std::string& path) {
+   cv::Mat mat = read_image(path, path);
+   if (mat.depth() != CV_8U)
+      throw InputError(path + ": has " + std::to_string(8 * mat.elemSize1()) +
+                       " bits a channel but must have 8; convert it to an 8-bit image");
+   if (mat.channels() != 1 && mat.channels() != 3 && mat.channels() != 4)
+      throw InputError(path + ": has " + std::to_string(mat.channels()) +
+                       " channels but must be grey or in colour; convert it to a grey image");
+   return mat;
+}
+
+GrayImage gray_of_any(const cv::Mat& mat) {
+   if (mat.channels() == 1) return from_mat(mat);
+   cv::Mat gray;
+   cv::cvtColor(mat, gray, mat.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+   return from_mat(gray);
+}
+
+cv::Mat colored(const DisparityMap& map, int disparities) {
+   const int largest = std::max((disparities - 1) * map.steps_per_pixel(), 1);
+   GrayImage shades = gray_of(map.disparity, map, [&](uint16_t value) { return value * 255 / largest; });
+   cv::Mat color;
+   cv::applyColorMap(as_mat(shades), color, cv::COLORMAP_TURBO);
+   GrayImage invalid = gray_of(map.valid, map, [](uint8_t valid) { return valid != 0 ? 0 : 1; });
+   color.setTo(cv::Scalar::all(0), as_mat(invalid));
+   return color;
+}
+
+std::string encode(const cv::Mat& mat) {
+   std::vector<uint8_t> bytes;
+   if (!cv::imencode(".png", mat, bytes)) throw std::runtime_error("OpenCV cannot encode a PNG image");
+   return {bytes.begin(), bytes.end()};
+}
+
+GrayImage load_gray(const std::string& path) {
+   const cv::Mat mat = read_8_bit_image(path);
+   if (mat.channels() > 1) std::cout << path << ": colour image converted to grey\n";
+   return gray_of_any(mat);
+}
+
+ImagePair load_pair(const std::string& left_path, const std::string& right_path) {
+   ImagePair pair{load_gray(left_path), load_gray(right_path)};
+   require_same_size<InputError>(left_path, pair.left, right_path, pair.right);
+   return pair;
+}
+
+ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit) {
+   const std::string wanted = size_text(width, height), found = size_text(pair.left);
+   if (pair.left.width == width && pair.left.height == height) return pair;
+   if (fit == Fit::none)
+      throw InputError("the images are " + found + " but the configuration takes " + wanted +
+                       "; give images of that size, or --fit crop or --fit resize");
+   if (fit == Fit::resize) {
+      std::cout << "images resized from " << found << " to " << wanted << '\n';
+      return {resized(std::move(pair.left), width, height), resized(std::move(pair.right), width, height)};
+   }
+   if (pair.left.width < width || pair.left.height < height)
+      throw InputError("--fit crop: the images are " + found + ", too small to cut " + wanted +
+                       " out of them; give larger images or --fit resize");
+   std::cout << "images cropped from " << found << " to the central " << wanted << '\n';
+   return {cropped(pair.left, width, height), cropped(pair.right, width, height)};
+}
+
+std::string encode_png(const GrayImage& image) {
+   GrayImage copy = image;
+   return encode(as_mat(copy));
+}
+
+std::string encode_png(const DisparityMap& map) {
+   if (!map.subpixel) return encode_png(gray_of(map.disparity, map, [](uint16_t value) { return value; }));
+   std::vector<uint16_t> copy = map.disparity;
+   return encode(cv::Mat(map.height, map.width, CV_16UC1, copy.data()));
+}
+
+std::string encode_color_png(const DisparityMap& map, int disparities) { return encode(colored(map, disparities)); }
+
+std::string encode_valid_png(const DisparityMap& map) {
+   return encode_png(gray_of(map.valid, map, [](uint8_t valid) { return valid != 0 ? 255 : 0; }));
+}
+
+}  // namespace stereo::app

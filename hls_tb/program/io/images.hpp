@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Image files in and out. OpenCV does it, and only inside.
+#pragma once
+
+#include <string>
+
+#include "definition/disparity_map.hpp"
+#include "definition/gray_image.hpp"
+
+namespace stereo::app {
+
+/// An 8-bit grey image; a colour image is converted, and stdout says so. Throws InputError.
+GrayImage load_gray(const std::string& path);
+
+/// Two images of the same size. Throws InputError.
+ImagePair load_pair(const std::string& left_path, const std::string& right_path);
+
+enum class Fit { none, crop, resize };
+
+/// The pair at width x height. `none` throws InputError unless it has that size; `crop` takes the centre of a pair that
+/// is large enough; `resize` scales. What was done goes to stdout.
+ImagePair fit_pair(ImagePair pair, int width, int height, Fit fit);
+
+std::string encode_png(const GrayImage& image);
+/// The disparities as they are: 8 bits, or 16 bits where they are sixteenths of a pixel.
+std::string encode_png(const DisparityMap& map);
+/// A disparity map in colour, from blue for 0 to red for disparities-1 pixels, black where it is not valid.
+std::string encode_color_png(const DisparityMap& map, int disparities);
+/// 255 where the map is valid, else 0.
+std::string encode_valid_png(const DisparityMap& map);
+
+}  // namespace stereo::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "program/io/made_folders.hpp"
+
+namespace stereo::app {
+
+/// Writes all of a command's files or none: they stand under temporary names until `commit` gives them their own.
+class OutputFolder {
+  public:
+   /// Creates the folder where it is missing. Throws InputError, which names the option, when that fails.
+   explicit OutputFolder(const std::string& path, const std::string& option = "--out");
+   /// Removes what was not committed, and the folders that were made for it.
+   ~OutputFolder();
+   OutputFolder(const OutputFolder&) = delete;
+   OutputFolder& operator=(const OutputFolder&) = delete;
+
+   /// Throws InputError when the file cannot be written or replaced.
+   void add(const std::string& name, const std::string& content);
+   void add_json(const std::string& name, const nlohmann::json& json);
+   /// A file that only other runs of the command write: where `commit` replaces a whole result of an earlier run, it
+   /// removes this one too. A file of `inputs` stays, whatever its name.
+   void leave_out(const std::string& name, const std::vector<std::string>& inputs = {});
+
+   enum class Says { every_path, nothing };
+   /// On stdout. Throws std::runtime_error, and writes nothing, where what was printed has not arrived.
+   void commit(Says says = Says::every_path);
+
+  private:
+   std::filesystem::path temporary(const std::string& name) const;
+   bool holds_earlier_result() const;
+
+   std::filesystem::path path_;
+   std::string option_;
+   MadeFolders made_;
+   std::vector<std::string> names_;
+   std::vector<std::string> left_out_;
+};
+
+}  // namespace stereo::app
