@@ -20,8 +20,8 @@ function(stereo_add_family)
       message(FATAL_ERROR "${table}: a row begins STEREO_ROW(name, use, base, but one begins ${row}")
     endif()
     set(name "${CMAKE_MATCH_1}")
-    string(APPEND entries "   table.push_back(configuration_entry<${arg_NAME}::Core<${arg_NAME}::configurations::${name}>>("
-           "\"${name}\", \"${CMAKE_MATCH_2}\", \"${arg_NAME}\", \"${arg_SOURCES}\"));\n")
+    string(APPEND entries "      configuration_entry<Core<configurations::${name}>>("
+           "\"${name}\", \"${CMAKE_MATCH_2}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
     stereo_add_core(NAME ${name} FAMILY ${arg_NAME} FOLDER "${folder}")
     add_dependencies(cores core_${name})
   endforeach()
@@ -29,18 +29,22 @@ function(stereo_add_family)
 "// Made by CMake from ${arg_SOURCES}/${arg_NAME}/configurations.hpp.
 #include \"${arg_MODELS}\"
 #include \"${arg_NAME}/family.hpp\"
-#include \"engines/configurations.hpp\"
+#include \"engines/families.hpp\"
+#include \"random_cores/random_options.hpp\"
 
 namespace stereo {
-void add_${arg_NAME}_configurations(std::vector<Configuration>& table);
-void add_${arg_NAME}_configurations(std::vector<Configuration>& table) {
-${entries}}
+Family make_${arg_NAME}();
+Family make_${arg_NAME}() {
+   using namespace ${arg_NAME};
+   return {\"${arg_NAME}\", \"${arg_SOURCES}\", {
+${entries}   }, std::make_shared<AlgorithmOf<Matching>>(Matching()), &random_row<Config>};
+}
 }  // namespace stereo
 ")
   target_sources(stereo_configurations PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp")
   target_include_directories(stereo_configurations PRIVATE "${folder}")
   target_link_libraries(stereo_configurations PUBLIC ${arg_LINK})
-  set_property(GLOBAL APPEND PROPERTY STEREO_FAMILIES add_${arg_NAME}_configurations)
+  set_property(GLOBAL APPEND PROPERTY STEREO_FAMILIES make_${arg_NAME})
 endfunction()
 
 # stereo_add_core(NAME <configuration> FAMILY <family> FOLDER <folder>): the module of one configuration.
@@ -59,6 +63,6 @@ function(stereo_write_families)
   get_property(families GLOBAL PROPERTY STEREO_FAMILIES)
   list(TRANSFORM families REPLACE "^.+$" "CALL(\\0)")
   list(JOIN families " " calls)
-  file(CONFIGURE OUTPUT families.hpp CONTENT "#define STEREO_FAMILIES(CALL) ${calls}\n")
+  file(CONFIGURE OUTPUT family_list.hpp CONTENT "#define STEREO_FAMILIES(CALL) ${calls}\n")
   target_include_directories(stereo_configurations PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
 endfunction()

@@ -32,26 +32,31 @@ enum class Aggregation : uint8_t {
 
 template <>
 struct Words<Reference> {
+   static constexpr const char* kName = "Reference";
    static constexpr const char* kWords[] = {"right", "left"};
 };
 
 template <>
 struct Words<Cost> {
+   static constexpr const char* kName = "Cost";
    static constexpr const char* kWords[] = {"sad", "ssd", "census"};
 };
 
 template <>
 struct Words<Prefilter> {
+   static constexpr const char* kName = "Prefilter";
    static constexpr const char* kWords[] = {"none", "xsobel"};
 };
 
 template <>
 struct Words<Ties> {
+   static constexpr const char* kName = "Ties";
    static constexpr const char* kWords[] = {"smallest", "largest"};
 };
 
 template <>
 struct Words<Aggregation> {
+   static constexpr const char* kName = "Aggregation";
    static constexpr const char* kWords[] = {"direct", "recursive"};
 };
 

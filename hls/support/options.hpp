@@ -14,12 +14,14 @@
 
 namespace stereo {
 
-/// The words for the values 0, 1, 2 ... of a choice. Specialised beside each choice.
+/// The name of a choice among enumerators, and their words in the order of their values 0, 1, 2 ... Specialised beside
+/// each choice.
 template <class Choice>
 struct Words;
 
 template <>
 struct Words<bool> {
+   static constexpr const char* kName = "bool";
    static constexpr const char* kWords[] = {"false", "true"};
 };
 

@@ -2,7 +2,9 @@
 // The hardware top: plain ports around one core that never stops. One pass of the loop is one clock.
 //    -DSTEREO_FAMILY=block_matching -DSTEREO_CONFIGURATION=ambrosch2007
 #define STEREO_TEXT(words) #words
-#define STEREO_HEADER(name) STEREO_TEXT(name / family.hpp)
+// clang-format off
+#define STEREO_HEADER(name) STEREO_TEXT(name/family.hpp)
+// clang-format on
 
 #include STEREO_HEADER(STEREO_FAMILY)
 

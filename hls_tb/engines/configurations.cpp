@@ -3,13 +3,21 @@
 
 #include <algorithm>
 
-#include "families.hpp"  // made by CMake: STEREO_FAMILIES(CALL), the functions that add the families' configurations
+#include "engines/families.hpp"
+#include "family_list.hpp"  // made by CMake: STEREO_FAMILIES(CALL), the functions that make the families
 
 namespace stereo {
 
-#define STEREO_DECLARE(add) void add(std::vector<Configuration>& table);
+#define STEREO_DECLARE(make) Family make();
 STEREO_FAMILIES(STEREO_DECLARE)
 #undef STEREO_DECLARE
+
+const std::vector<Family>& families() {
+#define STEREO_MAKE(make) make(),
+   static const std::vector<Family> all{STEREO_FAMILIES(STEREO_MAKE)};
+#undef STEREO_MAKE
+   return all;
+}
 
 std::string Configuration::description() const {
    return size_text(shape.image.width_px, shape.image.height_px) + ", " + algorithm->description();
@@ -18,9 +26,8 @@ std::string Configuration::description() const {
 const std::vector<Configuration>& configurations() {
    static const std::vector<Configuration> all = [] {
       std::vector<Configuration> table;
-#define STEREO_ADD(add) add(table);
-      STEREO_FAMILIES(STEREO_ADD)
-#undef STEREO_ADD
+      for (const Family& family : families())
+         table.insert(table.end(), family.configurations.begin(), family.configurations.end());
       std::ranges::sort(table, {}, &Configuration::name);
       return table;
    }();

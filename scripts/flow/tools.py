@@ -51,6 +51,14 @@ def find_stereo_hls():
     )
 
 
+def find_native(name):
+    """A program of the native build that stands beside stereo_hls."""
+    path = Path(find_stereo_hls()).parent / name
+    if not path.is_file():
+        raise FlowError(f"{path} is not built; make it with: cmake --build {path.parents[name.count('/')]} --target {path.name}", EXIT_MISSING_TOOL)
+    return str(path)
+
+
 def configurations():
     """The table of named configurations, as the C++ has it."""
     program = find_stereo_hls()

@@ -8,6 +8,7 @@
 #include "engines/clocked/core_shape.hpp"
 #include "engines/clocked/heap_memories.hpp"
 #include "engines/clocked/register_list.hpp"
+#include "engines/option_values.hpp"
 #include "support/ports.hpp"
 
 namespace stereo {
@@ -29,6 +30,7 @@ struct CoreModule {
    const char* family;
    const char* name;
    CoreShape shape;
+   std::vector<OptionValue> (*options)();  ///< all of the configuration
    std::unique_ptr<ClockedCore> (*make)(HeapMemories& memories);
 };
 
@@ -51,6 +53,11 @@ class ClockedCoreOf final : public ClockedCore {
   private:
    Core core_;
 };
+
+template <class Core>
+std::vector<OptionValue> options_of_core() {
+   return option_values(Core::kConfig);
+}
 
 template <class Core>
 std::unique_ptr<ClockedCore> make_clocked_core(HeapMemories& memories) {

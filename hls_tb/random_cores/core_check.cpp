@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random_cores/core_check.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engines/clocked/run_core.hpp"
+#include "engines/families.hpp"
+
+namespace stereo {
+namespace {
+
+/// Ends a check.
+struct Difference : std::runtime_error {
+   using std::runtime_error::runtime_error;
+};
+
+/// The algorithm with the options that the module has.
+std::shared_ptr<const Algorithm> algorithm_of(const CoreModule& core) {
+   for (const Family& family : families()) {
+      if (family.name != core.family) continue;
+      std::shared_ptr<const Algorithm> algorithm = family.defaults;
+      const std::vector<OptionValue> known = algorithm->options();
+      for (const OptionValue& option : core.options()) {
+         const auto is_same = [&](const OptionValue& other) { return other.name == option.name; };
+         if (std::none_of(known.begin(), known.end(), is_same)) continue;  // of the images or the structure
+         algorithm = algorithm->with(option.name, option_text(option));
+      }
+      return algorithm;
+   }
+   throw std::runtime_error("there is no family " + std::string(core.family));
+}
+
+class Checker {
+  public:
+   Checker(const CoreModule& core, uint64_t seed)
+       : core_(core),
+         image_(core.shape.image),
+         schedule_(core.shape.schedule),
+         random_(seed),
+         algorithm_(algorithm_of(core)) {}
+
+   int maps() const { return maps_; }
+
+   /// Frames one behind the other at exactly the gap, or at the gap that a flush leaves.
+   void frames_in_a_row(int frames, int stall_percent, bool flushed) {
+      StimulusWriter stream = writer(stall_percent);
+      std::vector<ImagePair> sent;
+      for (int i = 0; i < frames; ++i) {
+         if (i > 0 && flushed) stream.random_records(std::max(schedule_.flush_groups, schedule_.gap_groups));
+         else if (i > 0) stream.gap(schedule_);
+         sent.push_back(random_pair());
+         send(stream, sent.back());
+      }
+      stream.flush(schedule_);
+      HeapMemories memories;
+      const auto outputs = run(stream, memories);
+      compare(sent, outputs,
+              std::to_string(frames) + (flushed ? " flushed" : "") + " frames in a row" + stalls(stall_percent));
+      if (!flushed) compare_clocks(stream.clocks, outputs);
+   }
+
+   /// A frame of which only some records come, then a whole one.
+   void frame_after_a_broken_one() {
+      StimulusWriter stream = writer(20);
+      if (random_.percent(50)) {
+         send(stream, random_pair());
+         stream.gap(schedule_);
+      }
+      const int sent = 1 + random_.below(image_.width_px * image_.row_groups() + schedule_.flush_groups);
+      send_part(stream, sent);
+      const ImagePair last = random_pair();
+      send(stream, last);
+      stream.flush(schedule_);
+      HeapMemories memories;
+      std::vector<CoreOutput> of_last;
+      for (const CoreOutput& output : run(stream, memories)) {
+         if (output.start_of_frame) of_last.clear();
+         of_last.push_back(output);
+         of_last.back().frame = 0;
+      }
+      compare({last}, of_last, "a frame behind " + std::to_string(sent) + " records of another");
+   }
+
+   /// A reset keeps the memories as they were.
+   void frame_after_a_reset() {
+      HeapMemories memories;
+      StimulusWriter before = writer(20), after = writer(20);
+      const int sent = 1 + random_.below(image_.width_px * image_.row_groups() + schedule_.flush_groups);
+      send_part(before, sent);
+      run(before, memories);
+      const ImagePair pair = random_pair();
+      send(after, pair);
+      after.flush(schedule_);
+      compare({pair}, run(after, memories), "a frame behind a reset behind " + std::to_string(sent) + " records");
+   }
+
+   /// Records without a start of frame bring nothing out.
+   void silence() {
+      StimulusWriter stream = writer(20);
+      stream.random_records(3 * image_.width_px * image_.row_groups());
+      HeapMemories memories;
+      if (const auto outputs = run(stream, memories); !outputs.empty())
+         throw Difference(std::to_string(outputs.size()) + " outputs before the first start of frame");
+   }
+
+  private:
+   static std::string stalls(int percent) { return percent == 0 ? "" : ", " + std::to_string(percent) + " % bubbles"; }
+
+   StimulusWriter writer(int stall_percent) {
+      return StimulusWriter(image_.pixels_per_clock, stall_percent, random_.bits());
+   }
+   void send(StimulusWriter& to, const ImagePair& pair) const { to.rows(pair, {0, image_.height_px}); }
+   /// The first records of a frame, and records without start behind them.
+   void send_part(StimulusWriter& to, int records) {
+      StimulusWriter whole = writer(0);
+      send(whole, random_pair());
+      const int of_frame = std::min(records, int(whole.clocks.size()));
+      for (int i = 0; i < of_frame; ++i) to.record(whole.clocks[std::size_t(i)]);
+      to.random_records(records - of_frame);
+   }
+   std::vector<CoreOutput> run(StimulusWriter& stream, HeapMemories& memories) const {
+      stream.drain(schedule_);
+      return run_core(core_, stream.clocks, memories);
+   }
+
+   /// Few grey levels, far apart or close together: ties, extremes, sums that differ by little.
+   ImagePair random_pair() {
+      const int levels = random_.percent(50) ? 2 + random_.below(6) : 256;
+      const int step = random_.percent(50) ? 255 / (levels - 1) : 1;
+      ImagePair pair{GrayImage(image_.width_px, image_.height_px), GrayImage(image_.width_px, image_.height_px)};
+      for (GrayImage* side : {&pair.left, &pair.right})
+         for (uint8_t& pixel : side->pixels) pixel = uint8_t(random_.below(levels) * step);
+      return pair;
+   }
+
+   void compare(const std::vector<ImagePair>& sent, const std::vector<CoreOutput>& outputs, const std::string& what) {
+      std::vector<DisparityMap> got;
+      try {
+         got = collect_frames(outputs, core_.shape);
+      } catch (const std::runtime_error& problem) {
+         throw Difference(what + ": " + problem.what());
+      }
+      if (got.size() != sent.size())
+         throw Difference(what + ": " + std::to_string(got.size()) + " maps instead of " + std::to_string(sent.size()));
+      for (std::size_t i = 0; i < sent.size(); ++i) {
+         const DisparityMap expected = algorithm_->match_reference(sent[i].left, sent[i].right);
+         for (int y = 0; y < expected.height; ++y)
+            for (int x = 0; x < expected.width; ++x)
+               if (expected.at(x, y) != got[i].at(x, y) || expected.valid_at(x, y) != got[i].valid_at(x, y))
+                  throw Difference(what + ": frame " + std::to_string(i) + " x=" + std::to_string(x) +
+                                   " y=" + std::to_string(y) + " expected " + pixel(expected, x, y) + " got " +
+                                   pixel(got[i], x, y));
+         ++maps_;
+      }
+   }
+   static std::string pixel(const DisparityMap& map, int x, int y) {
+      return std::to_string(map.at(x, y)) + (map.valid_at(x, y) ? "" : " (invalid)");
+   }
+
+   /// Every output comes latency_clocks after the record that it waits for.
+   void compare_clocks(const std::vector<StereoInput>& clocks, const std::vector<CoreOutput>& outputs) const {
+      std::vector<uint64_t> clock_of_record;
+      for (uint64_t clock = 0; clock < clocks.size(); ++clock)
+         if (clocks[clock].valid) clock_of_record.push_back(clock);
+      const int frame_records = image_.width_px * image_.row_groups() + schedule_.gap_groups;
+      for (const CoreOutput& output : outputs) {
+         const int record = output.frame * frame_records + schedule_.groups_to_first_output - 1 +
+                            output.y / image_.pixels_per_clock * image_.width_px + output.x;
+         const uint64_t wanted = clock_of_record.at(std::size_t(record)) + uint64_t(schedule_.latency_clocks);
+         if (output.clock != wanted)
+            throw Difference("frame " + std::to_string(output.frame) + " x=" + std::to_string(output.x) +
+                             " y=" + std::to_string(output.y) + " came at clock " + std::to_string(output.clock) +
+                             " instead of " + std::to_string(wanted));
+      }
+   }
+
+   const CoreModule& core_;
+   const Image& image_;
+   const Schedule& schedule_;
+   Random random_;
+   std::shared_ptr<const Algorithm> algorithm_;
+   int maps_ = 0;
+};
+
+}  // namespace
+
+CoreCheck check_core(const CoreModule& core, uint64_t seed) {
+   Checker checker(core, seed);
+   try {
+      checker.silence();
+      for (const int frames : {2, 3})
+         for (const int stall_percent : {0, 40}) checker.frames_in_a_row(frames, stall_percent, false);
+      checker.frames_in_a_row(2, 20, true);
+      for (int i = 0; i < 4; ++i) {
+         checker.frame_after_a_broken_one();
+         checker.frame_after_a_reset();
+      }
+   } catch (const Difference& difference) {
+      return {checker.maps(), difference.what()};
+   }
+   return {checker.maps(), ""};
+}
+
+}  // namespace stereo
