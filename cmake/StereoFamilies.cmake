@@ -22,7 +22,7 @@ function(stereo_add_family)
     set(name "${CMAKE_MATCH_1}")
     string(APPEND entries "      configuration_entry<Core<configurations::${name}>>("
            "\"${name}\", \"${CMAKE_MATCH_2}\", \"${arg_NAME}\", \"${arg_SOURCES}\"),\n")
-    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} FOLDER "${folder}")
+    stereo_add_core(NAME ${name} FAMILY ${arg_NAME} USE ${CMAKE_MATCH_2} FOLDER "${folder}")
     add_dependencies(cores core_${name})
   endforeach()
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp" @ONLY CONTENT
@@ -42,18 +42,25 @@ ${entries}   }, std::make_shared<AlgorithmOf<Matching>>(Matching()), &random_row
 }  // namespace stereo
 ")
   target_sources(stereo_configurations PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp")
+  # A table: nobody waits for it, and everybody who changes a block for its compilation.
+  set_source_files_properties("${CMAKE_CURRENT_BINARY_DIR}/${arg_NAME}_configurations.cpp" PROPERTIES COMPILE_OPTIONS -O0)
   target_include_directories(stereo_configurations PRIVATE "${folder}")
   target_link_libraries(stereo_configurations PUBLIC ${arg_LINK})
   set_property(GLOBAL APPEND PROPERTY STEREO_FAMILIES make_${arg_NAME})
 endfunction()
 
-# stereo_add_core(NAME <configuration> FAMILY <family> FOLDER <folder>): the module of one configuration.
+# stereo_add_core(NAME <configuration> FAMILY <family> USE <use> FOLDER <folder>): the module of one configuration.
 function(stereo_add_core)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;FAMILY;FOLDER" "")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;FAMILY;USE;FOLDER" "")
   add_library(core_${arg_NAME} MODULE EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/hls_tb/engines/clocked/core_module.cpp")
   target_compile_definitions(core_${arg_NAME} PRIVATE STEREO_FAMILY=${arg_FAMILY} STEREO_CONFIGURATION=${arg_NAME})
   target_include_directories(core_${arg_NAME} PRIVATE "${arg_FOLDER}" "${PROJECT_SOURCE_DIR}/hls" "${PROJECT_SOURCE_DIR}/hls_tb")
-  target_link_libraries(core_${arg_NAME} PRIVATE stereo_warnings)
+  target_link_libraries(core_${arg_NAME} PRIVATE stereo_register_list stereo_warnings)
+  # Benchmarks time these; for the others the compiler's time counts more.
+  if(NOT arg_USE STREQUAL paper)
+    target_compile_options(core_${arg_NAME} PRIVATE -O1)
+    target_precompile_headers(core_${arg_NAME} REUSE_FROM stereo_core_headers)
+  endif()
   set_target_properties(core_${arg_NAME} PROPERTIES PREFIX "" OUTPUT_NAME ${arg_NAME} LIBRARY_OUTPUT_DIRECTORY
                                                                                       "${PROJECT_BINARY_DIR}/cores")
 endfunction()

@@ -3,14 +3,17 @@
 add_library(
   stereo_testing STATIC
   testing/map_compare.cpp
-  testing/small_cores.cpp
-  testing/small_cores_with_options.cpp
   testing/test_main.cpp
   testing/test_pairs.cpp)
 target_compile_definitions(stereo_testing PUBLIC STEREO_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                  STEREO_CORE_FOLDER="${PROJECT_BINARY_DIR}/cores")
-target_link_libraries(stereo_testing PUBLIC stereo_configurations GTest::gtest stereo_warnings)
+target_link_libraries(stereo_testing PUBLIC stereo_clocked GTest::gtest stereo_warnings)
+# A test runs once for each time that it is compiled.
+target_compile_options(stereo_testing PUBLIC -O1)
 target_precompile_headers(stereo_testing PUBLIC <gtest/gtest.h>)
+# Whole cores take the compiler long: once for all tests that run them.
+add_library(stereo_small_cores STATIC testing/small_cores.cpp testing/small_cores_with_options.cpp)
+target_link_libraries(stereo_small_cores PUBLIC stereo_testing)
 
 # Blocks and whole cores.
 stereo_add_unit_tests(
@@ -40,17 +43,17 @@ stereo_add_unit_tests(
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/texture_test.cpp
   cores/block_matching/core_large_test.cpp
-  cores/block_matching/core_memories_test.cpp
-  cores/block_matching/core_stream_test.cpp
-  cores/block_matching/core_test.cpp
-  cores/named_cores_test.cpp
-  engines/clocked/stimulus_test.cpp)
+  cores/block_matching/core_memories_test.cpp)
+stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
+                      cores/block_matching/core_test.cpp)
+stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
+                      engines/clocked/stimulus_test.cpp)
 add_dependencies(cores_named_cores_test cores)
 add_dependencies(engines_clocked_stimulus_test cores)
 
 # Definitions, models, the program's parts, the kept cases of fuzzing.
 stereo_add_unit_tests(
-  LINK stereo_testing stereo_program stereo_fuzz_targets ${OpenCV_LIBS}
+  LINK stereo_testing stereo_configurations stereo_program stereo_fuzz_targets ${OpenCV_LIBS}
   FILES
   cores/block_matching/core_real_pair_test.cpp
   cosim/vector_files_test.cpp

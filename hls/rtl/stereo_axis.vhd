@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The stereo core between two AXI4-Streams, with back-pressure on both sides. All stream outputs come from registers.
+-- What stands between two AXI4-Streams and a stereo core, with back-pressure on both sides. All stream outputs come from
+-- registers. The core hangs on the ports core_*: its ports of these names, and those that stereo_shell adds.
 --
 -- s_axis: both images, a group of P rows a beat (P = pixels_per_clock), columns 0 ... W-1 of each group of rows.
 --   tdata   bits 8p+7 ... 8p: left pixel of row p of the group, 0 the upper one; 8P bits further up: right pixels
@@ -17,13 +18,13 @@
 --   enable           '0': s_axis waits between frames
 --   soft_reset       hold until soft_reset_done: ends the frame in progress with frame error, then resets the core
 --   busy             something is in the shell or on its way through the core
---   errors           pulses: bits 0 ... 3 of stereo_framing, 4: the core is not as the generics say
+--   errors           pulses: bits 0 ... 3 of stereo_framing, 4: the core showed a disparity in a clock in which none of its
+--                    groups can give one
 --   frame_ends       a frame's last disparity leaves the core; frame_ends_broken: it is not whole
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted
 -- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 4) words of (disparity_bits + 1) * P + 3 bits.
--- Generics: as in the configuration's manifest.json, `stereo_hls configurations --json`; scripts/instantiate.py fills
--- them in.
+-- Generics: those of the core.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -58,7 +59,17 @@ entity stereo_axis is
     errors : out std_logic_vector(4 downto 0);
     frame_ends : out std_logic;
     frame_ends_broken : out std_logic;
-    frame_clocks : out unsigned(31 downto 0)
+    frame_clocks : out unsigned(31 downto 0);
+    core_reset : out std_logic;
+    core_left_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
+    core_right_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
+    core_start_of_frame : out std_logic;
+    core_valid : out std_logic;
+    core_disparity : in std_logic_vector(disparity_bits * pixels_per_clock - 1 downto 0);
+    core_pixel_valid : in std_logic_vector(pixels_per_clock - 1 downto 0);
+    core_disparity_valid : in std_logic;
+    core_disparity_start_of_frame : in std_logic;
+    core_disparity_end_of_line : in std_logic
   );
 end entity;
 
@@ -76,9 +87,7 @@ architecture rtl of stereo_axis is
   signal stream_errors : std_logic_vector(3 downto 0);
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
-  signal disparity : std_logic_vector(map_bits - 1 downto 0);
-  signal pixel_valid : std_logic_vector(pixels_per_clock - 1 downto 0);
-  signal core_valid, core_start, core_last, result : std_logic;
+  signal result : std_logic;
   signal frame_error, ends, entering, leaving : std_logic;
   signal result_word, word : std_logic_vector(word_bits - 1 downto 0);
   signal word_valid, taken : std_logic;
@@ -110,22 +119,20 @@ begin
       error => stream_errors,
       out_valid => group_valid, out_start => group_start, out_data => group_pixels);
 
-  core : entity work.stereo_core
-    port map (
-      clock => aclk, reset => clear,
-      left_pixel => group_pixels(pixel_bits - 1 downto 0), right_pixel => group_pixels(2 * pixel_bits - 1 downto pixel_bits),
-      start_of_frame => group_start, valid => group_valid,
-      disparity => disparity, pixel_valid => pixel_valid, disparity_valid => core_valid,
-      disparity_start_of_frame => core_start, disparity_end_of_line => core_last);
+  core_reset <= clear;
+  core_left_pixel <= group_pixels(pixel_bits - 1 downto 0);
+  core_right_pixel <= group_pixels(2 * pixel_bits - 1 downto pixel_bits);
+  core_start_of_frame <= group_start;
+  core_valid <= group_valid;
 
   -- What has no credit has no place in the queue either.
-  result <= core_valid and not stray;
+  result <= core_disparity_valid and not stray;
 
   frames : entity work.stereo_frames
     generic map (row_groups => height_px / pixels_per_clock)
     port map (
       clock => aclk, reset => clear, starts => starts, breaks => breaks, may_start => may_start,
-      result_valid => result, result_start => core_start, result_last => core_last,
+      result_valid => result, result_start => core_disparity_start_of_frame, result_last => core_disparity_end_of_line,
       frame_error => frame_error, ends => ends, entering => entering, leaving => leaving);
 
   timer : entity work.frame_timer
@@ -133,7 +140,8 @@ begin
       clock => aclk, reset => clear, starts => starts, start_slot => not entering, ends => ends, end_slot => leaving,
       clocks => frame_clocks);
 
-  result_word <= frame_error & core_start & core_last & pixel_valid & disparity;
+  result_word <=
+    frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
 
   queue : entity work.stream_fifo
     generic map (depth => credits, width => word_bits)
@@ -144,7 +152,7 @@ begin
   credit : entity work.stream_credit
     generic map (words => credits, latency => latency_clocks)
     port map (
-      clock => aclk, reset => reset, sends => sends, result => core_valid, taken => taken,
+      clock => aclk, reset => reset, sends => sends, result => core_disparity_valid, taken => taken,
       may_send => may_send, in_flight => in_flight, all_back => all_back, stray => stray);
 
   taken <= word_valid and m_axis_tready;

@@ -16,10 +16,10 @@ entity stereo_registers is
     width_px : positive;
     height_px : positive;
     disparities : positive;
-    window_px : positive;
     pixels_per_clock : positive;
     output_width_px : positive;
     disparity_bits : positive;
+    core_id : std_logic_vector(31 downto 0);
     enabled_at_reset : boolean
   );
   port (
@@ -100,12 +100,13 @@ begin
     status_word => bit_at(busy, status_busy) or
       std_logic_vector(shift_left(resize(unsigned(sticky), 32), status_early_line_end)),
     size_word => field(height_px, size_height_px_bits) & field(width_px, size_width_px_bits),
-    matching_word => field(pixels_per_clock, matching_pixels_per_clock_bits) & field(window_px, matching_window_px_bits) &
+    matching_word => field(pixels_per_clock, matching_pixels_per_clock_bits) & x"00" &
       field(disparities, matching_disparities_bits),
     map_word => x"00" & field(disparity_bits, map_disparity_bits_bits) & field(output_width_px, map_output_width_px_bits),
     frames_word => std_logic_vector(whole_frames),
     broken_frames_word => std_logic_vector(broken_frames),
     frame_clocks_word => std_logic_vector(frame_clocks),
+    core_word => core_id,
     others => (others => '0'));
 
   writes <= have_address and have_data and not bvalid;

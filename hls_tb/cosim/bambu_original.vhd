@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- The design as Bambu wrote it, with the ports of the lowered one, so that both run in the same bench. The tool's files
--- are in the library `bambu`. Its core starts with the first clock of the bench's reset, since it spends one clock on
+-- are in the library `bambu`; NAME stands for that of the configuration. Its core starts with the first clock of the bench's reset, since it spends one clock on
 -- loading its registers before it takes input.
 library ieee;
 use ieee.std_logic_1164.all;
 library bambu;
 
-entity stereo_core is
+entity stereo_core_NAME is
   port (
     clock : in std_logic;
     reset : in std_logic;
@@ -22,7 +22,7 @@ entity stereo_core is
   );
 end entity;
 
-architecture original of stereo_core is
+architecture original of stereo_core_NAME is
   signal running : std_logic := '0';
   signal valid_flag, start_flag, line_flag : std_logic_vector(0 downto 0);
   signal pixels_valid : std_logic_vector(7 downto 0);

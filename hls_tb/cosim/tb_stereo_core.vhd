@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Drives stereo_core with a stimulus file, one line a clock, and writes down every output with its clock. It judges
+-- Drives a stereo_core_NAME (NAME stands for that of the configuration) with a stimulus file, one line a clock, and writes down every output with its clock. It judges
 -- nothing: the one checker of all simulators does (scripts/flow/checker.py).
 library ieee;
 use ieee.std_logic_1164.all;
@@ -22,7 +22,7 @@ architecture sim of tb_stereo_core is
   signal pixel_valid : std_logic_vector(pixels - 1 downto 0);
   signal disparity_valid, disparity_start_of_frame, disparity_end_of_line : std_logic;
 begin
-  dut : entity work.stereo_core
+  dut : entity work.stereo_core_NAME
     port map (
       clock => clock, reset => reset,
       left_pixel => left_pixel, right_pixel => right_pixel, start_of_frame => start_of_frame, valid => valid,

@@ -17,13 +17,6 @@ struct OptionValue {
    std::variant<int, bool, std::string> value;  ///< a number, a flag, or the word of a choice
 };
 
-/// The value as OptionSetter takes it.
-inline std::string option_text(const OptionValue& option) {
-   if (const int* const number = std::get_if<int>(&option.value)) return std::to_string(*number);
-   if (const bool* const flag = std::get_if<bool>(&option.value)) return *flag ? "true" : "false";
-   return std::get<std::string>(option.value);
-}
-
 /// The visitor that reads all options of a list.
 struct OptionReader {
    std::vector<OptionValue> values;

@@ -15,18 +15,30 @@ struct Difference : std::runtime_error {
    using std::runtime_error::runtime_error;
 };
 
+/// Sets the options of an algorithm that it has; those of the images and the structure are none of it.
+class Setter : public OptionSink {
+  public:
+   explicit Setter(std::shared_ptr<const Algorithm> start) : algorithm(std::move(start)), known_(algorithm->options()) {}
+
+   void number(const char* name, int value) override { word(name, std::to_string(value).c_str()); }
+   void word(const char* name, const char* value) override {
+      const auto is_it = [name](const OptionValue& option) { return option.name == name; };
+      if (std::any_of(known_.begin(), known_.end(), is_it)) algorithm = algorithm->with(name, value);
+   }
+
+   std::shared_ptr<const Algorithm> algorithm;
+
+  private:
+   std::vector<OptionValue> known_;
+};
+
 /// The algorithm with the options that the module has.
 std::shared_ptr<const Algorithm> algorithm_of(const CoreModule& core) {
    for (const Family& family : families()) {
       if (family.name != core.family) continue;
-      std::shared_ptr<const Algorithm> algorithm = family.defaults;
-      const std::vector<OptionValue> known = algorithm->options();
-      for (const OptionValue& option : core.options()) {
-         const auto is_same = [&](const OptionValue& other) { return other.name == option.name; };
-         if (std::none_of(known.begin(), known.end(), is_same)) continue;  // of the images or the structure
-         algorithm = algorithm->with(option.name, option_text(option));
-      }
-      return algorithm;
+      Setter setter(family.defaults);
+      core.options(setter);
+      return setter.algorithm;
    }
    throw std::runtime_error("there is no family " + std::string(core.family));
 }

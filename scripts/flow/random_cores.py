@@ -51,7 +51,7 @@ def build(core: Core, family: str, folder: Path) -> Path:
     run([find_tool("c++", "CXX", "on Debian: apt-get install g++"), "-std=c++20", "-O1", "-fPIC", "-shared",
          *(f"-I{path}" for path in (source_folder(family), ROOT / "hls", ROOT / "hls_tb")),
          f"-DSTEREO_FAMILY={family}", f"-DSTEREO_CONFIGURATION={core.name}", f'-DSTEREO_ROWS="{rows}"',
-         ROOT / "hls_tb" / "engines" / "clocked" / "core_module.cpp", "-o", module])
+         *(ROOT / "hls_tb" / "engines" / "clocked" / name for name in ("core_module.cpp", "register_list.cpp")), "-o", module])
     return module
 
 

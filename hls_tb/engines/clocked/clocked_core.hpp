@@ -8,7 +8,7 @@
 #include "engines/clocked/core_shape.hpp"
 #include "engines/clocked/heap_memories.hpp"
 #include "engines/clocked/register_list.hpp"
-#include "engines/option_values.hpp"
+#include "engines/clocked/option_list.hpp"
 #include "support/ports.hpp"
 
 namespace stereo {
@@ -30,7 +30,7 @@ struct CoreModule {
    const char* family;
    const char* name;
    CoreShape shape;
-   std::vector<OptionValue> (*options)();  ///< all of the configuration
+   void (*options)(OptionSink& sink);  ///< gives all of the configuration
    std::unique_ptr<ClockedCore> (*make)(HeapMemories& memories);
 };
 
@@ -55,8 +55,9 @@ class ClockedCoreOf final : public ClockedCore {
 };
 
 template <class Core>
-std::vector<OptionValue> options_of_core() {
-   return option_values(Core::kConfig);
+void list_options(OptionSink& sink) {
+   OptionLister lister{sink};
+   std::remove_cvref_t<decltype(Core::kConfig)>::options(Core::kConfig, lister);
 }
 
 template <class Core>

@@ -21,5 +21,5 @@ namespace stereo::STEREO_FAMILY::configurations {
 using Core = stereo::STEREO_FAMILY::Core<stereo::STEREO_FAMILY::configurations::STEREO_CONFIGURATION>;
 
 extern "C" const stereo::CoreModule stereo_core_module{STEREO_NAME(STEREO_FAMILY), STEREO_NAME(STEREO_CONFIGURATION),
-                                                       stereo::core_shape<Core>(), &stereo::options_of_core<Core>,
+                                                       stereo::core_shape<Core>(), &stereo::list_options<Core>,
                                                        &stereo::make_clocked_core<Core>};

@@ -1,24 +1,25 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The stereo core as a block for other people's designs: AXI4-Stream in and out (stereo_axis) and registers on AXI4-Lite
--- (stereo_registers). docs/integration.md says how to use it; scripts/instantiate.py fills in the generics.
+-- All of a stereo_ip but its core: AXI4-Stream in and out (stereo_axis) and registers on AXI4-Lite (stereo_registers). Each
+-- configuration has a stereo_ip_NAME in generated_rtl/, which puts this around its stereo_core_NAME and fills in the
+-- generics. docs/integration.md says how to use it.
 -- Without a processor tie the AXI4-Lite inputs to '0' and leave enabled_at_reset.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 use work.stereo_register_map.all;
 
-entity stereo_ip is
+entity stereo_shell is
   generic (
     width_px : positive;  -- W, 8 ... 4096
     height_px : positive;  -- H
     disparities : positive;  -- D
-    window_px : positive;  -- B
     pixels_per_clock : positive;  -- P, 1, 2 or 4
     disparity_bits : positive;  -- 8 or 16
     output_width_px : positive;
     latency_clocks : positive;
     flush_groups : natural;
     gap_groups : natural;
+    core_id : std_logic_vector(31 downto 0);  -- the first digits of the digest of the core's VHDL in manifest.json
     enabled_at_reset : boolean := true
   );
   port (
@@ -55,16 +56,27 @@ entity stereo_ip is
     s_axil_rdata : out std_logic_vector(31 downto 0);
     s_axil_rresp : out std_logic_vector(1 downto 0);
     s_axil_rvalid : out std_logic;
-    s_axil_rready : in std_logic
+    s_axil_rready : in std_logic;
+    -- the core
+    core_reset : out std_logic;
+    core_left_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
+    core_right_pixel : out std_logic_vector(8 * pixels_per_clock - 1 downto 0);
+    core_start_of_frame : out std_logic;
+    core_valid : out std_logic;
+    core_disparity : in std_logic_vector(disparity_bits * pixels_per_clock - 1 downto 0);
+    core_pixel_valid : in std_logic_vector(pixels_per_clock - 1 downto 0);
+    core_disparity_valid : in std_logic;
+    core_disparity_start_of_frame : in std_logic;
+    core_disparity_end_of_line : in std_logic
   );
 end entity;
 
-architecture rtl of stereo_ip is
+architecture rtl of stereo_shell is
   signal enable, soft_reset, soft_reset_done, busy, frame_ends, frame_ends_broken : std_logic;
   signal errors : std_logic_vector(4 downto 0);
   signal frame_clocks : unsigned(31 downto 0);
 begin
-  shell : entity work.stereo_axis
+  axis : entity work.stereo_axis
     generic map (
       width_px => width_px, height_px => height_px, pixels_per_clock => pixels_per_clock, disparity_bits => disparity_bits,
       latency_clocks => latency_clocks, flush_groups => flush_groups, gap_groups => gap_groups)
@@ -75,12 +87,17 @@ begin
       m_axis_tvalid => m_axis_tvalid, m_axis_tready => m_axis_tready, m_axis_tdata => m_axis_tdata,
       m_axis_tuser => m_axis_tuser, m_axis_tlast => m_axis_tlast,
       enable => enable, soft_reset => soft_reset, soft_reset_done => soft_reset_done, busy => busy, errors => errors,
-      frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks);
+      frame_ends => frame_ends, frame_ends_broken => frame_ends_broken, frame_clocks => frame_clocks,
+      core_reset => core_reset, core_left_pixel => core_left_pixel, core_right_pixel => core_right_pixel,
+      core_start_of_frame => core_start_of_frame, core_valid => core_valid,
+      core_disparity => core_disparity, core_pixel_valid => core_pixel_valid, core_disparity_valid => core_disparity_valid,
+      core_disparity_start_of_frame => core_disparity_start_of_frame,
+      core_disparity_end_of_line => core_disparity_end_of_line);
 
   registers : entity work.stereo_registers
     generic map (
-      width_px => width_px, height_px => height_px, disparities => disparities, window_px => window_px,
-      pixels_per_clock => pixels_per_clock, output_width_px => output_width_px, disparity_bits => disparity_bits,
+      width_px => width_px, height_px => height_px, disparities => disparities, pixels_per_clock => pixels_per_clock,
+      output_width_px => output_width_px, disparity_bits => disparity_bits, core_id => core_id,
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk, aresetn => aresetn,
