@@ -42,10 +42,7 @@ begin
       clock => clk_25mhz, reset => reset,
       tvalid => in_tvalid, tready => in_tready, tdata => in_tdata, tuser => in_tuser, tlast => in_tlast);
 
-  stereo : entity work.stereo_ip
-    generic map (
-      width_px => width_px, height_px => height_px, disparities => 8, window_px => 3, pixels_per_clock => 1,
-      disparity_bits => 8, output_width_px => output_width_px, latency_clocks => 15, flush_groups => 32, gap_groups => 0)
+  stereo : entity work.stereo_ip_tiny
     port map (
       aclk => clk_25mhz, aresetn => aresetn,
       s_axis_tvalid => in_tvalid, s_axis_tready => in_tready, s_axis_tdata => in_tdata, s_axis_tuser => in_tuser,
