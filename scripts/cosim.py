@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import cosim, cosim_record  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.simulators import SIMULATORS  # noqa: E402
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.cosim import job as cosim, record as cosim_record
+from flow.cosim.simulators import SIMULATORS
 
 MOST_SECONDS = 1e6
 

@@ -9,8 +9,8 @@ from rich.console import Console
 from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.dev_loop import DevLoop  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.dev_loop import DevLoop
 
 
 def main():

@@ -8,10 +8,11 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import evaluation, explore, front, hardware_cost  # noqa: E402
-from flow.errors import EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import ROOT  # noqa: E402
-from rich.console import Console  # noqa: E402
+from rich.console import Console
+
+from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.tools import ROOT
+from flow.quality import evaluation, explore, front, hardware_cost
 
 
 def parse():

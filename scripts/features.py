@@ -6,8 +6,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import features, files  # noqa: E402
-from flow.errors import ArgumentParser, run_command  # noqa: E402
+from flow.base import files
+from flow.base.errors import ArgumentParser, run_command
+from flow.pages import features
 
 
 def main():

@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import implement, yosys  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import GENERATED_RTL, find_ghdl  # noqa: E402
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.tools import GENERATED_RTL, find_ghdl
+from flow.implementation import job as implement, yosys
 
 DEFAULT_SEEDS = [1, 2, 3]
 

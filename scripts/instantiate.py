@@ -6,10 +6,11 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, manifest  # noqa: E402
-from flow.axi import design, template  # noqa: E402
-from flow.errors import ArgumentParser, run_command  # noqa: E402
-from flow.tools import GENERATED_RTL  # noqa: E402
+from flow.base import files
+from flow.base.errors import ArgumentParser, run_command
+from flow.base.tools import GENERATED_RTL
+from flow.shell import design, template
+from flow.synthesis import manifest
 
 
 def main():

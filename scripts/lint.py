@@ -6,10 +6,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import lint  # noqa: E402
-from flow.axi import design  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command  # noqa: E402
-from flow.tools import ROOT  # noqa: E402
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
+from flow.base.tools import ROOT
+from flow.shell import design, lint
 
 
 def main():

@@ -6,9 +6,11 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, implement, performance  # noqa: E402
-from flow.errors import EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.results import Configuration  # noqa: E402
+from flow.base import files
+from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.implementation import job as implement
+from flow.implementation.results import Configuration
+from flow.pages import performance
 
 
 def main():

@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, quality  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.base import files
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.pages import quality
 
 
 def main():

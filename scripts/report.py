@@ -6,8 +6,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import demo_folder, files, report  # noqa: E402
-from flow.errors import EXIT_OK, ArgumentParser, run_command  # noqa: E402
+from flow.base import files
+from flow.base.errors import EXIT_OK, ArgumentParser, run_command
+from flow.pages import demo_folder, report
 
 
 def main():

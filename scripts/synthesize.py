@@ -6,11 +6,11 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import tools  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.families import keeps_vhdl  # noqa: E402
-from flow.generate import generate  # noqa: E402
-from flow.manifest import stale_reasons  # noqa: E402
+from flow.base import tools
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.families import keeps_vhdl
+from flow.synthesis.generate import generate
+from flow.synthesis.manifest import stale_reasons
 
 
 def check(names, table):

@@ -8,10 +8,10 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, timing  # noqa: E402
-from flow.axi import cocotb_runs  # noqa: E402
-from flow.errors import EXIT_TOOL_FAILED, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import ROOT  # noqa: E402
+from flow.base import files
+from flow.base.errors import EXIT_TOOL_FAILED, ArgumentParser, FlowError, run_command
+from flow.base.tools import ROOT
+from flow.shell import cocotb_runs, timing_diagrams as timing
 
 IMAGES = ROOT / "docs" / "images"
 LINES = ("s_axis_tvalid", "s_axis_tready", "s_axis_tuser", "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tlast")

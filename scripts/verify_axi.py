@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.axi import verify  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import configuration  # noqa: E402
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.tools import configuration
+from flow.shell import verify
 
 
 def main():

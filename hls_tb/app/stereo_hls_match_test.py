@@ -6,8 +6,19 @@ import random
 
 import pytest
 
-from stereo_hls_program import (DISPARITIES, HEIGHT, PROGRAM, WIDTH, changed, fail, gray_image, png_depth, png_size,
-                                succeed, write_image)
+from stereo_hls_program import (
+    DISPARITIES,
+    HEIGHT,
+    PROGRAM,
+    WIDTH,
+    changed,
+    fail,
+    gray_image,
+    png_depth,
+    png_size,
+    succeed,
+    write_image,
+)
 
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
 

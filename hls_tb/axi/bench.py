@@ -10,8 +10,8 @@ import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiStreamBus, AxiStreamFrame, AxiStreamSink, AxiStreamSource
-from flow import registers
-from flow.axi import contract, pool
+
+from flow.shell import contract, pool, registers
 
 PERIOD_NS = 10
 QUIET_CLOCKS = 300  # nothing moved for so long: all that could come has come
@@ -19,7 +19,7 @@ HANG_CLOCKS = 20000
 
 
 def load_pool():
-    """(frames, parameters, seed) that flow.axi.cocotb_runs has prepared."""
+    """(frames, parameters, seed) that flow.shell.cocotb_runs has prepared."""
     with open(os.environ["STEREO_AXI_POOL"], encoding="ascii") as file:
         content = json.load(file)
     frames = [pool.Frame(*(tuple(entry[key]) for key in ("groups", "results", "needs"))) for entry in content["frames"]]
@@ -190,7 +190,7 @@ class Bench:
         self.dut.aresetn.value = 1
 
     async def play(self, steps):
-        """The steps of flow.axi.script, then quiet."""
+        """The steps of flow.shell.script, then quiet."""
         beats = []
         for kind, *values in [*steps, ("drain",)]:
             if kind == "beat":

@@ -5,9 +5,10 @@ import json
 import os
 
 import cocotb
-from bench import Bench
 from cocotb.triggers import ClockCycles, FallingEdge
-from flow.axi.broken import beats_of
+
+from bench import Bench
+from flow.shell.broken import beats_of
 
 STREAMS = ("s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser", "s_axis_tlast",
            "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast")

@@ -2,10 +2,11 @@
 """stereo_ip in GHDL under cocotb with other generics than those of its core. Each test names the run that it belongs to."""
 
 import cocotb
-from bench import Bench
 from cocotb.triggers import ClockCycles
-from flow.axi import script
-from flow.axi.broken import beats_of
+
+from bench import Bench
+from flow.shell import script
+from flow.shell.broken import beats_of
 
 
 @cocotb.test()

@@ -2,12 +2,12 @@
 """stereo_ip in GHDL under cocotb: registers, alone and while frames run."""
 
 import cocotb
-from bench import PERIOD_NS, Bench, add_tests
 from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
-from flow import registers
-from flow.axi import script
-from flow.axi.broken import beats_of
-from flow.axi.contract import LAST, RESULT_ERROR, expect
+
+from bench import PERIOD_NS, Bench, add_tests
+from flow.shell import registers, script
+from flow.shell.broken import beats_of
+from flow.shell.contract import LAST, RESULT_ERROR, expect
 
 
 def a_frame(bench):

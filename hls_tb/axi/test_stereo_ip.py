@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stereo_ip in GHDL under cocotb: streams. Every frame is compared with the C++ core (flow.axi.contract)."""
+"""stereo_ip in GHDL under cocotb: streams. Every frame is compared with the C++ core (flow.shell.contract)."""
 
 import cocotb
-from bench import Bench, add_tests
 from cocotb.triggers import ClockCycles, FallingEdge, Timer
-from flow.axi import script
-from flow.axi.broken import CASES, beats_of
-from flow.axi.contract import RESULT_START, expect
+
+from bench import Bench, add_tests
+from flow.shell import script
+from flow.shell.broken import CASES, beats_of
+from flow.shell.contract import RESULT_START, expect
 
 MOST_GAPS = 60  # that one run tries, beside the shortest
 

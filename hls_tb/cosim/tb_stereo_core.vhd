@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Drives stereo_core with a stimulus file, one line a clock, and writes down every output with its clock. It judges
--- nothing: the one checker of all simulators does (scripts/flow/checker.py).
+-- nothing: the one checker of all simulators does (scripts/flow/cosim/checker.py).
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;

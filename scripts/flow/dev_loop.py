@@ -7,9 +7,9 @@ import shutil
 import time
 from dataclasses import dataclass
 
-from . import bambu
-from .errors import FlowError
-from .tools import GENERATED_RTL, ROOT, find_bambu, find_ghdl, find_verilator, run
+from .base.errors import FlowError
+from .base.tools import GENERATED_RTL, ROOT, find_bambu, find_ghdl, find_verilator, run
+from .synthesis import bambu
 
 SCRIPTS = ROOT / "scripts"
 WORK = ROOT / "build" / "dev_loop"

@@ -9,8 +9,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from flow import manifest
-from flow.tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls
+from flow.base.tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls
+from flow.synthesis import manifest
 
 
 def call(command, *arguments, environment=None):

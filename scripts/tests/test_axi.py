@@ -6,10 +6,11 @@ import re
 import xml.etree.ElementTree as xml
 
 import pytest
-from flow.axi import cocotb_runs, design, judge, pool, script, verilated
-from flow.axi.broken import beats_of
-from flow.errors import EXIT_MISSING_TOOL, FlowError
-from flow.tools import configuration
+
+from flow.base.errors import EXIT_MISSING_TOOL, FlowError
+from flow.base.tools import configuration
+from flow.shell import cocotb_runs, design, judge, pool, script, verilated
+from flow.shell.broken import beats_of
 from flow_commands import call, refused
 
 

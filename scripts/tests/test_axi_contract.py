@@ -4,14 +4,14 @@
 import random
 
 import pytest
-from flow import registers
-from flow.axi import script
-from flow.axi.broken import CASES, beats_of
-from flow.axi.contract import LAST, RESULT_ERROR, RESULT_LAST, RESULT_START, START, Judge, expect
-from flow.axi.judge import judge
-from flow.axi.pool import Frame, Geometry
-from flow.axi.verilated import Observation, read_observation
-from flow.errors import FlowError
+
+from flow.base.errors import FlowError
+from flow.shell import registers, script
+from flow.shell.broken import CASES, beats_of
+from flow.shell.contract import LAST, RESULT_ERROR, RESULT_LAST, RESULT_START, START, Judge, expect
+from flow.shell.judge import judge
+from flow.shell.pool import Frame, Geometry
+from flow.shell.verilated import Observation, read_observation
 from flow_commands import call
 
 GEOMETRY = Geometry(columns=8, row_groups=4, result_columns=5)

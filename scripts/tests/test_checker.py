@@ -2,8 +2,9 @@
 """The judge of all simulators: it must not pass what it did not see."""
 
 import pytest
-from flow import checker
-from flow.vectors import Expected, Observed
+
+from flow.cosim import checker
+from flow.cosim.vectors import Expected, Observed
 
 CONFIGURATION = {"width_px": 6, "height_px": 3, "disparities": 3, "window_px": 3, "output_width_px": 3, "output_height_px": 3, "pixels_per_clock": 1,
                  "groups_to_first_output": 6 + 3 - 1 + 1 + 1}

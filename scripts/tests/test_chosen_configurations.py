@@ -4,7 +4,8 @@
 import subprocess
 
 import pytest
-from flow.tools import ROOT
+
+from flow.base.tools import ROOT
 
 
 def run(*command):

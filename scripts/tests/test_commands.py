@@ -6,8 +6,9 @@ import shutil
 import subprocess
 
 import pytest
-from flow import manifest
-from flow.tools import GENERATED_RTL, ROOT
+
+from flow.base.tools import GENERATED_RTL, ROOT
+from flow.synthesis import manifest
 from flow_commands import call, cosim, refused, scene
 
 

@@ -5,9 +5,10 @@ import shutil
 import xml.etree.ElementTree as xml
 
 import pytest
-from flow import quality
+
+from flow.base.tools import GENERATED_RTL, configuration
+from flow.pages import quality
 from flow_commands import cosim, random_pair, report, scene
-from flow.tools import GENERATED_RTL, configuration
 
 # Outputs a frame: each is a column of as many rows as enter in a clock.
 OUTPUTS = {"tiny": 24 * 12, "tiny_p2": 24 * 6, "tiny_p4": 24 * 3, "ambrosch2007": 220 * 240, "ambrosch2007_p2": 220 * 120, "ambrosch2007_p4": 220 * 60}

@@ -4,6 +4,7 @@
 import xml.etree.ElementTree as xml
 
 import pytest
+
 from flow_commands import altered_rtl, cosim, random_pair, report
 
 FAULTS = {

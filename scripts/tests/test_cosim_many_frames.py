@@ -2,6 +2,7 @@
 """Many whole frames with bubbles; minutes."""
 
 import pytest
+
 from flow_commands import cosim, random_pair, report, scene
 
 FRAMES = 10

@@ -2,10 +2,11 @@
 """Co-simulation of every option of the algorithm: model == core (hls_tb/stereo_core_options_test.cpp) == VHDL (here)."""
 
 import pytest
-from flow import manifest
-from flow.families import OPTION, SYSTEM, family, keeps_vhdl
-from flow.simulators import to_verilog
-from flow.tools import GENERATED_RTL, configurations
+
+from flow.base.families import OPTION, SYSTEM, family, keeps_vhdl
+from flow.base.tools import GENERATED_RTL, configurations
+from flow.cosim.simulators import to_verilog
+from flow.synthesis import manifest
 from flow_commands import cosim, random_pair, report, scene
 
 TABLE = configurations()

@@ -5,9 +5,13 @@ import json
 import shutil
 
 import pytest
-from flow import cosim_record, manifest, performance, results
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.cosim import record as cosim_record
+from flow.implementation import results
+from flow.pages import performance
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 REPORT = {"config": "tiny", "simulator": "ghdl", "command": "scripts/cosim.py ...", "passed": True, "expected": 168, "compared": 168, "mismatches": 0,

@@ -10,9 +10,10 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+
 from conftest import need
-from flow import manifest
-from flow.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.base.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.synthesis import manifest
 from flow_commands import call, random_pair, refused, report, scene
 
 COSIMS = ("cosim-ghdl", "cosim-verilator")

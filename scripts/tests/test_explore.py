@@ -9,10 +9,12 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from flow import explore, figures, hardware_cost, results
-from flow.families import STUDY, family
-from flow.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
-from flow.tools import GENERATED_RTL, configurations, find_stereo_hls
+
+from flow.base.families import STUDY, family
+from flow.base.tools import GENERATED_RTL, configurations, find_stereo_hls
+from flow.implementation import figures, results
+from flow.quality import explore, hardware_cost
+from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
 from flow_commands import call, refused
 
 TABLE = configurations()

@@ -4,9 +4,12 @@
 import shutil
 
 import pytest
-from flow import features, implement, manifest, results
-from flow.families import STUDY, family
-from flow.tools import GENERATED_RTL, configurations
+
+from flow.base.families import STUDY, family
+from flow.base.tools import GENERATED_RTL, configurations
+from flow.implementation import job as implement, results
+from flow.pages import features
+from flow.synthesis import manifest
 from flow_commands import call
 
 AREA = {"luts": 5000, "ffs": 4000, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {},

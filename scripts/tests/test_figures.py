@@ -2,9 +2,9 @@
 """What is worked out from a configuration alone."""
 
 import pytest
-from flow import figures
-from flow.tools import configurations
 
+from flow.base.tools import configurations
+from flow.implementation import figures
 
 PAPER_P2 = {"width_px": 320, "height_px": 240, "disparities": 100, "pixels_per_clock": 2, "gap_groups": 0}
 

@@ -2,8 +2,9 @@
 """The memory cell and the stream blocks of the shell are proved for all inputs, and the proofs can fail."""
 
 import pytest
+
 from conftest import need
-from flow import formal
+from flow.shell import formal
 
 
 @pytest.fixture

@@ -9,11 +9,15 @@ import tempfile
 from pathlib import Path
 
 import pytest
+
 from conftest import SEED
-from flow import checker, cosim_record, demo_folder, implement, manifest, performance, report, vectors
-from flow.axi import verilated
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.cosim import checker, record as cosim_record, vectors
+from flow.implementation import job as implement
+from flow.pages import demo_folder, performance, report
+from flow.shell import verilated
+from flow.synthesis import manifest
 
 hypothesis = pytest.importorskip("hypothesis", reason="SKIP: python3-hypothesis is not installed")
 from hypothesis import strategies as st  # noqa: E402

@@ -4,10 +4,12 @@
 import json
 import shutil
 
-import implementation_stand_ins as stand_ins
 import pytest
-from flow import manifest, nextpnr, yosys
-from flow.tools import GENERATED_RTL, ROOT
+
+import implementation_stand_ins as stand_ins
+from flow.base.tools import GENERATED_RTL, ROOT
+from flow.implementation import nextpnr, yosys
+from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, refused
 
 

@@ -2,10 +2,12 @@
 """Area and clock budgets of the committed results, and that yosys still gives those of `tiny`."""
 
 import pytest
+
 from conftest import need
-from flow import figures, implement, manifest, yosys
-from flow.families import PAPER, STUDY, TINY, family
-from flow.tools import GENERATED_RTL
+from flow.base.families import PAPER, STUDY, TINY, family
+from flow.base.tools import GENERATED_RTL
+from flow.implementation import figures, job as implement, yosys
+from flow.synthesis import manifest
 from flow_commands import call
 
 CONFIGURATIONS = [name for name in implement.known_configurations() if implement.read(GENERATED_RTL / name)]

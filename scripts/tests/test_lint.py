@@ -4,7 +4,8 @@
 import shutil
 
 import pytest
-from flow.axi import design
+
+from flow.shell import design
 from flow_commands import call
 
 FAULTS = {

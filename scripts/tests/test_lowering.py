@@ -2,11 +2,12 @@
 """From the tool's VHDL to a netlist: what is read, what the controller becomes, and what is refused."""
 
 import pytest
+
 from design_text import DESIGN
-from flow.errors import FlowError
-from flow.rtl.evaluate import compile_step, initial_state
-from flow.rtl.lowering import lower
-from flow.rtl.vhdl_reader import read_design
+from flow.base.errors import FlowError
+from flow.synthesis.lowering.evaluate import compile_step, initial_state
+from flow.synthesis.lowering.lower import lower
+from flow.synthesis.lowering.vhdl_reader import read_design
 
 
 def lowered(tmp_path, *changes):

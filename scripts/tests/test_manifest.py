@@ -2,8 +2,10 @@
 """The committed VHDL must follow from the committed sources: a change of the C++ without new VHDL fails here."""
 
 import pytest
-from flow import generate, manifest, tools
-from flow.families import keeps_vhdl
+
+from flow.base import tools
+from flow.base.families import keeps_vhdl
+from flow.synthesis import generate, manifest
 from flow_commands import call
 
 # Of the others the repository has no VHDL.
@@ -45,7 +47,7 @@ def test_nothing_of_the_tools_library_is_committed(name):
 @pytest.fixture
 def project(tmp_path, monkeypatch):
     """A copy of what the digests cover, to be changed."""
-    for pattern in ("hls/*.[hc]pp", "hls/rtl/*.vhd", "hls_tb/vectors/*names.hpp", "scripts/flow/*.py", "scripts/flow/rtl/*.py", "generated_rtl/*/*"):
+    for pattern in ("hls/*.[hc]pp", "hls/rtl/*.vhd", "hls_tb/vectors/*names.hpp", "scripts/flow/synthesis/**/*.py", "generated_rtl/*/*"):
         for path in tools.ROOT.glob(pattern):
             target = tmp_path / path.relative_to(tools.ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -61,12 +63,12 @@ def test_a_changed_new_or_missing_source_makes_the_vhdl_stale(project):
     block = project / "hls" / "sad_cost.hpp"
     block.write_text(block.read_text().replace("255", "254", 1))
     (project / "hls" / "census_cost.hpp").write_text("#pragma once\n")
-    (project / "scripts" / "flow" / "rtl" / "rules.py").unlink()
-    for path in ("scripts/flow/bambu.py", "scripts/flow/generate.py", "hls_tb/vectors/register_names.hpp"):
+    (project / "scripts" / "flow" / "synthesis" / "lowering" / "rules.py").unlink()
+    for path in ("scripts/flow/synthesis/bambu.py", "scripts/flow/synthesis/generate.py", "hls_tb/vectors/register_names.hpp"):
         (project / path).write_text((project / path).read_text() + "\n")
     assert manifest.stale_reasons("tiny", parameters) == [
-        "hls/census_cost.hpp is new", "hls/sad_cost.hpp changed", "hls_tb/vectors/register_names.hpp changed", "scripts/flow/bambu.py changed",
-        "scripts/flow/generate.py changed", "scripts/flow/rtl/rules.py is gone"]
+        "hls/census_cost.hpp is new", "hls/sad_cost.hpp changed", "hls_tb/vectors/register_names.hpp changed", "scripts/flow/synthesis/bambu.py changed",
+        "scripts/flow/synthesis/generate.py changed", "scripts/flow/synthesis/lowering/rules.py is gone"]
 
 
 def test_vhdl_that_is_not_what_was_made_is_said(project):
@@ -116,8 +118,8 @@ def test_a_failing_tool_leaves_nothing_behind(tmp_path):
 
 
 def test_a_log_without_figures_is_refused():
-    from flow import bambu
-    from flow.errors import FlowError
+    from flow.base.errors import FlowError
+    from flow.synthesis import bambu
 
     with pytest.raises(FlowError, match="no line 'Number of states"):
         bambu.read_log("nothing of use")

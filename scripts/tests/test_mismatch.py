@@ -6,16 +6,17 @@ import re
 import shutil
 
 import pytest
+
 from browser import look
 from conftest import need
-from flow import cosim as flow_cosim
-from flow import mismatch, pictures, waveform
-from flow.tools import configuration
-from flow.vcd import Values, cut
+from flow.base.tools import configuration
+from flow.cosim import job as flow_cosim, mismatch, waveform
+from flow.cosim.vcd import Values, cut
+from flow.rendering import pictures
 from flow_commands import altered_rtl, call, cosim, random_pair, report
 
 pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
-from test_report import fill  # noqa: E402
+from test_report import fill
 
 numpy, Image = pictures.libraries()
 WINNER = (r"(slice2best_index_0_0 <= )slice1best_index_0_0 when", r"\g<1>slice1best_index_0_0 / 2 when")

@@ -5,7 +5,8 @@ import json
 from itertools import islice
 
 import pytest
-from flow import mutants, mutation
+
+from flow.mutation import mutants, run as mutation
 from flow_commands import call, refused
 
 TEXT = """-- SPDX-License-Identifier: Apache-2.0

@@ -2,9 +2,10 @@
 """Registers get the names of the C++ members that show the same values, and a netlist that differs is refused."""
 
 import pytest
-from flow.errors import FlowError
-from flow.rtl import netlist, nodes as n
-from flow.rtl.naming import name_registers, read_trace
+
+from flow.base.errors import FlowError
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.naming import name_registers, read_trace
 
 VALID = (1, 0, 1, 1, 0, 1)
 

@@ -2,8 +2,9 @@
 """Every simplification of the netlist builders keeps the value: random expressions against plain Python arithmetic."""
 
 import pytest
-from flow.rtl import netlist, nodes as n
-from flow.rtl.evaluate import compile_step
+
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.evaluate import compile_step
 
 WIDTHS = {"a": 8, "b": 8, "c": 3, "s": 1, "t": 1}
 

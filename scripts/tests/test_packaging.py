@@ -7,11 +7,12 @@ import shutil
 import subprocess
 
 import pytest
-from flow import example, venv
-from flow.axi import cocotb_runs, design
-from flow.errors import FlowError
-from flow.simulators import GHDL_STANDARD
-from flow.tools import ROOT
+
+from flow.base import venv
+from flow.base.errors import FlowError
+from flow.base.tools import ROOT
+from flow.cosim.simulators import GHDL_STANDARD
+from flow.shell import cocotb_runs, design, example
 from flow_commands import call, refused
 
 

@@ -5,9 +5,12 @@ import json
 import shutil
 
 import pytest
-from flow import implement, manifest, performance, results
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.implementation import job as implement, results
+from flow.pages import performance
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 AREA = {"ffs": 1500, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {}}

@@ -4,8 +4,9 @@
 import copy
 
 import pytest
-from flow import quality
-from flow.errors import FlowError
+
+from flow.base.errors import FlowError
+from flow.pages import quality
 from flow_commands import call, refused
 
 PAIR = quality.default_pair()

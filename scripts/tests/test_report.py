@@ -5,11 +5,14 @@ import io
 import subprocess
 
 import pytest
+
 from browser import look
 from conftest import need
-from flow import demo_folder, page, performance, pictures, report, results
-from flow.errors import FlowError
-from flow.tools import find_stereo_hls
+from flow.base.errors import FlowError
+from flow.base.tools import find_stereo_hls
+from flow.implementation import results
+from flow.pages import demo_folder, performance, report
+from flow.rendering import page, pictures
 from flow_commands import call, scene
 from test_demo import COSIM, COSIMS, change
 

@@ -4,10 +4,11 @@
 import itertools
 
 import pytest
-from flow.errors import FlowError
-from flow.rtl import netlist, nodes as n
-from flow.rtl.evaluate import compile_step
-from flow.rtl.rules import RULES, Cell, apply_rule
+
+from flow.base.errors import FlowError
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.evaluate import compile_step
+from flow.synthesis.lowering.rules import RULES, Cell, apply_rule
 
 
 def resized(value, width, signed):

@@ -2,9 +2,11 @@
 """With Bambu installed: regenerating changes nothing, and the lowered design runs like the tool's own."""
 
 import pytest
+
 from conftest import need
-from flow import manifest, tools
-from flow.families import keeps_vhdl
+from flow.base import tools
+from flow.base.families import keeps_vhdl
+from flow.synthesis import manifest
 from flow_commands import call, cosim, random_pair, report
 
 # The large ones with several pixels a clock take minutes each; they are made by the same steps.

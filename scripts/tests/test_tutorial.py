@@ -12,7 +12,8 @@ import subprocess
 from dataclasses import dataclass
 
 import pytest
-from flow.tools import ROOT
+
+from flow.base.tools import ROOT
 
 PAGE = ROOT / "docs" / "tutorial.md"
 VARIABLES = {"bambu": "BAMBU", "ghdl": "GHDL", "yosys": "YOSYS"}

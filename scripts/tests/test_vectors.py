@@ -2,8 +2,9 @@
 """Damaged vector files are refused with the file, the line and the reason."""
 
 import pytest
-from flow import vectors
-from flow.errors import FlowError
+
+from flow.base.errors import FlowError
+from flow.cosim import vectors
 
 STIMULUS = "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
 EXPECTED = "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=2 latency=10\n50 0 0 0 03 1\n51 1 0 0 1f 0\n"

@@ -4,15 +4,16 @@
 import re
 
 import pytest
-from flow import vectors
-from flow.errors import FlowError
-from flow.rtl import netlist, nodes as n
-from flow.rtl.evaluate import compile_step, initial_state
-from flow.rtl.ranges import narrow_registers
-from flow.rtl.reset import control_registers, split_hold
-from flow.rtl.vhdl_writer import VhdlWriter
-from flow.simulators import Ghdl, to_verilog
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.cosim import vectors
+from flow.cosim.simulators import Ghdl, to_verilog
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.evaluate import compile_step, initial_state
+from flow.synthesis.lowering.ranges import narrow_registers
+from flow.synthesis.lowering.reset import control_registers, split_hold
+from flow.synthesis.lowering.vhdl_writer import VhdlWriter
 
 INPUTS = {"left_pixel": 8, "right_pixel": 8, "start_of_frame": 1, "valid": 1}
 CLOCKS = 300
