@@ -18,18 +18,43 @@ def main():
     parser.add_argument("--config", required=True, help="named configuration (see stereo_hls configurations)")
     parser.add_argument("--left", required=True, type=Path, help="left image of the rectified pair")
     parser.add_argument("--right", required=True, type=Path, help="right image")
-    parser.add_argument("--rows", metavar="A:B|N", help="send only image rows A ... B-1, as the top of a frame; or the middle N rows, more where an output needs them")
-    parser.add_argument("--frames", type=int, default=1, help="frames back to back; every second one upside down (default 1)")
-    parser.add_argument("--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 95 %% (default 0)")
+    parser.add_argument(
+        "--rows",
+        metavar="A:B|N",
+        help="send only image rows A ... B-1, as the top of a frame; or the middle N rows, more where an output needs them",
+    )
+    parser.add_argument(
+        "--frames", type=int, default=1, help="frames back to back; every second one upside down (default 1)"
+    )
+    parser.add_argument(
+        "--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 95 %% (default 0)"
+    )
     parser.add_argument("--seed", type=int, default=1, help="of bubbles and filler pixels (default 1)")
-    parser.add_argument("--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit")
+    parser.add_argument(
+        "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
+    )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
     parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")
     parser.add_argument("--out", type=Path, help="where reports go (default build/cosim/CONFIG-SIMULATOR)")
-    parser.add_argument("--wave", type=Path, metavar="FILE", help=".ghw, .fst or .vcd (ghdl), .fst (verilator) around the first mismatch")
-    parser.add_argument("--watchdog", dest="watchdog_seconds", type=float, default=300.0, metavar="SECONDS",
-                        help="stop a simulation that makes no progress for so long (default 300)")
-    parser.add_argument("--record", action="store_true", help="keep the result beside the VHDL, in cosimulation.json, for docs/performance.md")
+    parser.add_argument(
+        "--wave",
+        type=Path,
+        metavar="FILE",
+        help=".ghw, .fst or .vcd (ghdl), .fst (verilator) around the first mismatch",
+    )
+    parser.add_argument(
+        "--watchdog",
+        dest="watchdog_seconds",
+        type=float,
+        default=300.0,
+        metavar="SECONDS",
+        help="stop a simulation that makes no progress for so long (default 300)",
+    )
+    parser.add_argument(
+        "--record",
+        action="store_true",
+        help="keep the result beside the VHDL, in cosimulation.json, for docs/performance.md",
+    )
     options = parser.parse_args()
     if options.record and (options.rtl or options.simulator == "original"):
         raise FlowError("--record keeps results of the VHDL in generated_rtl: no --rtl, no --simulator original")

@@ -16,7 +16,9 @@ from flow.dev_loop import DevLoop
 def main():
     parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
     parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
-    parser.add_argument("--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)")
+    parser.add_argument(
+        "--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)"
+    )
     parser.add_argument("--rows", type=int, default=8, metavar="N", help="rows of the crop in GHDL (default 8)")
     options = parser.parse_args()
     if options.rows < 2:

@@ -35,16 +35,35 @@ def jobs(options):
         if "all" in options.config:
             names = list(filter(implement.has_vhdl, names))
     return [
-        implement.Job(name, options.rtl or GENERATED_RTL / name, options.out / name if options.out else options.rtl or GENERATED_RTL / name, targets, seeds)
+        implement.Job(
+            name,
+            options.rtl or GENERATED_RTL / name,
+            options.out / name if options.out else options.rtl or GENERATED_RTL / name,
+            targets,
+            seeds,
+        )
         for name in names
     ]
 
 
 def main():
     parser = ArgumentParser(prog="implement.py", description=__doc__)
-    parser.add_argument("--config", action="append", required=True, metavar="NAME", help="configuration, may be repeated; 'all' for each whose VHDL is in generated_rtl")
-    parser.add_argument("--target", action="append", metavar="FAMILY", help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)")
-    parser.add_argument("--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)")
+    parser.add_argument(
+        "--config",
+        action="append",
+        required=True,
+        metavar="NAME",
+        help="configuration, may be repeated; 'all' for each whose VHDL is in generated_rtl",
+    )
+    parser.add_argument(
+        "--target",
+        action="append",
+        metavar="FAMILY",
+        help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)",
+    )
+    parser.add_argument(
+        "--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)"
+    )
     parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")
     parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     work = jobs(parser.parse_args())

@@ -16,10 +16,14 @@ LEAST_SCORE_PERCENT = 98
 def main():
     parser = ArgumentParser(prog="mutate.py", description=__doc__)
     parser.add_argument("--core", type=int, default=60, metavar="N", help="mutants of the generated VHDL (default 60)")
-    parser.add_argument("--shell", type=int, default=60, metavar="N", help="mutants of the hand-written VHDL (default 60)")
+    parser.add_argument(
+        "--shell", type=int, default=60, metavar="N", help="mutants of the hand-written VHDL (default 60)"
+    )
     parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen (default 1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (default 2)")
-    parser.add_argument("--out", type=Path, default=mutation.WORK, help="folder of report.json (default build/mutation)")
+    parser.add_argument(
+        "--out", type=Path, default=mutation.WORK, help="folder of report.json (default build/mutation)"
+    )
     options = parser.parse_args()
     if min(options.core, options.shell) < 0 or options.core + options.shell < 1 or options.jobs < 1:
         raise FlowError("--core and --shell must be 0 or more, together and --jobs 1 or more")

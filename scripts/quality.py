@@ -14,8 +14,13 @@ from flow.pages import quality
 
 def main():
     parser = ArgumentParser(prog="quality.py", description=__doc__)
-    parser.add_argument("--pair", metavar="FOLDER", type=Path, default=quality.default_pair(),
-                        help="Teddy: left.png, right.png, disp_left_x4.pgm, disp_right_x4.pgm (default: teddy below env STEREO_DATA, else below ../shared/data/stereo)")
+    parser.add_argument(
+        "--pair",
+        metavar="FOLDER",
+        type=Path,
+        default=quality.default_pair(),
+        help="Teddy: left.png, right.png, disp_left_x4.pgm, disp_right_x4.pgm (default: teddy below env STEREO_DATA, else below ../shared/data/stereo)",
+    )
     parser.add_argument("--check", action="store_true", help="only say whether the page is up to date")
     arguments = parser.parse_args()
     missing = quality.missing_files(arguments.pair)

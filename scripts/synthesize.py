@@ -27,15 +27,26 @@ def check(names, table):
     kept = [name for name, reasons in stale.items() if reasons and keeps_vhdl(name)]
     if kept:
         again = " ".join(f"--config {name}" for name in kept)
-        raise FlowError(f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH)
+        raise FlowError(
+            f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH
+        )
     return EXIT_OK
 
 
 def main():
     parser = ArgumentParser(prog="synthesize.py", description=__doc__)
-    parser.add_argument("--config", action="append", metavar="NAME", help="configuration, may be repeated; 'all' for each (default: those whose VHDL is in the repository)")
-    parser.add_argument("--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu")
-    parser.add_argument("--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration")
+    parser.add_argument(
+        "--config",
+        action="append",
+        metavar="NAME",
+        help="configuration, may be repeated; 'all' for each (default: those whose VHDL is in the repository)",
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"
+    )
+    parser.add_argument(
+        "--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration"
+    )
     options = parser.parse_args()
     table = tools.configurations()
     names = options.config or sorted(filter(keeps_vhdl, table))
@@ -48,8 +59,10 @@ def main():
     tools.find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
-        print(f"{name}: {report['states']} states ({report['loop_states']} in the loop), {report['registers']} registers ({report['registers_named']} named as in C++), "
-              f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz")
+        print(
+            f"{name}: {report['states']} states ({report['loop_states']} in the loop), {report['registers']} registers ({report['registers_named']} named as in C++), "
+            f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz"
+        )
     return EXIT_OK
 
 

@@ -14,10 +14,23 @@ from flow.base.tools import ROOT
 from flow.shell import cocotb_runs, timing_diagrams as timing
 
 IMAGES = ROOT / "docs" / "images"
-LINES = ("s_axis_tvalid", "s_axis_tready", "s_axis_tuser", "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tlast")
+LINES = (
+    "s_axis_tvalid",
+    "s_axis_tready",
+    "s_axis_tuser",
+    "s_axis_tlast",
+    "m_axis_tvalid",
+    "m_axis_tready",
+    "m_axis_tlast",
+)
 WORDS = {"s_axis_tdata": "s_axis_tvalid", "m_axis_tdata": "m_axis_tvalid", "m_axis_tuser": "m_axis_tvalid"}
-REGISTER_LINES = tuple(f"s_axil_{channel}{end}" for channel in ("aw", "w", "b", "ar", "r") for end in ("valid", "ready"))
-REGISTER_WORDS = {f"s_axil_{channel}{name}": f"s_axil_{channel}valid" for channel, name in (("aw", "addr"), ("w", "data"), ("ar", "addr"), ("r", "data"))}
+REGISTER_LINES = tuple(
+    f"s_axil_{channel}{end}" for channel in ("aw", "w", "b", "ar", "r") for end in ("valid", "ready")
+)
+REGISTER_WORDS = {
+    f"s_axil_{channel}{name}": f"s_axil_{channel}valid"
+    for channel, name in (("aw", "addr"), ("w", "data"), ("ar", "addr"), ("r", "data"))
+}
 
 
 def first(rows, condition, start=0):
@@ -26,7 +39,9 @@ def first(rows, condition, start=0):
 
 def windows(recordings):
     """{picture: (rows, first clock, last clock, lines, words)}"""
-    start, pressure, broken, access = (recordings[name] for name in ("start_of_frame", "back_pressure", "broken_frame", "register_access"))
+    start, pressure, broken, access = (
+        recordings[name] for name in ("start_of_frame", "back_pressure", "broken_frame", "register_access")
+    )
     begin = first(start, lambda row: row["s_axis_tvalid"] == "1" and row["s_axis_tuser"] == "1")
     out = first(pressure, lambda row: row["m_axis_tvalid"] == "1")
     frame = first(broken, lambda row: row["s_axis_tvalid"] == "1" and row["s_axis_tuser"] == "1")
@@ -56,9 +71,16 @@ def record(out):
 
 def main():
     parser = ArgumentParser(prog="timing_diagrams.py", description=__doc__)
-    parser.add_argument("--check", action="store_true", help="write nothing; exit code 1 when a picture is not what the simulation gives")
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="write nothing; exit code 1 when a picture is not what the simulation gives",
+    )
     check = parser.parse_args().check
-    pictures = {IMAGES / f"{name}.svg": timing.cut(*window) for name, window in windows(record(ROOT / "build" / "axi" / "diagrams")).items()}
+    pictures = {
+        IMAGES / f"{name}.svg": timing.cut(*window)
+        for name, window in windows(record(ROOT / "build" / "axi" / "diagrams")).items()
+    }
     return files.update(pictures, check, "scripts/timing_diagrams.py")
 
 

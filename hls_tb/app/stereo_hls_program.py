@@ -5,7 +5,9 @@ import os
 import random
 import subprocess
 
-PROGRAM = os.environ.get("STEREO_HLS", "") and os.path.abspath(os.environ["STEREO_HLS"])  # tests run it in other folders
+PROGRAM = os.environ.get("STEREO_HLS", "") and os.path.abspath(
+    os.environ["STEREO_HLS"]
+)  # tests run it in other folders
 WIDTH, HEIGHT, DISPARITIES = 32, 12, 8  # configuration tiny, as test_configurations_as_json checks
 
 

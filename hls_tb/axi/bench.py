@@ -29,8 +29,10 @@ def load_pool():
 def add_tests(module, prefix, function, cases):
     """Makes a cocotb test of a module for each tuple of arguments, named after them."""
     for case in cases:
+
         async def test(dut, arguments=case):
             await function(dut, *arguments)
+
         test.__name__ = test.__qualname__ = "_".join([prefix, *(str(value).replace(" ", "_") for value in case)])
         test.__doc__ = function.__doc__
         test.__module__ = module["__name__"]
@@ -108,7 +110,11 @@ class Watch:
             in_reset += 1
             self.held.clear()
             self.asked = dict.fromkeys(self.asked, 0)
-            offered = [name for name in ("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid") if getattr(self.dut, name).value]
+            offered = [
+                name
+                for name in ("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid")
+                if getattr(self.dut, name).value
+            ]
             if in_reset > 1 and offered:
                 self.breaches.append(f"{' and '.join(offered)} in reset, clock {self.clock}")
 
@@ -142,10 +148,12 @@ class Bench:
 
     def rates(self, source_percent, sink_percent):
         """Chance in percent that a side pauses in a clock."""
+
         def pauses(percent):
             generator = random.Random(self.random.random())
             while True:
                 yield generator.random() * 100 < percent
+
         for end, percent in ((self.source, source_percent), (self.sink, sink_percent)):
             if percent:
                 end.set_pause_generator(pauses(percent))
@@ -165,7 +173,9 @@ class Bench:
             self._send_line(line)
 
     def _send_line(self, line):
-        self.source.send_nowait(AxiStreamFrame([data for data, _ in line], tuser=[flags & contract.START for _, flags in line]))
+        self.source.send_nowait(
+            AxiStreamFrame([data for data, _ in line], tuser=[flags & contract.START for _, flags in line])
+        )
 
     async def sent(self):
         """Until the source has nothing more to send."""

@@ -166,8 +166,16 @@ async def traffic_during_frames(dut):
     """Reads and writes without pause while frames run: neither side disturbs the other."""
     bench = await Bench(dut, "traffic").start()
     bench.rates(20, 20)
-    for percent, channel in zip((30, 60, 40, 50, 70), (bench.axil.write_if.aw_channel, bench.axil.write_if.w_channel,
-                                bench.axil.write_if.b_channel, bench.axil.read_if.ar_channel, bench.axil.read_if.r_channel)):
+    for percent, channel in zip(
+        (30, 60, 40, 50, 70),
+        (
+            bench.axil.write_if.aw_channel,
+            bench.axil.write_if.w_channel,
+            bench.axil.write_if.b_channel,
+            bench.axil.read_if.ar_channel,
+            bench.axil.read_if.r_channel,
+        ),
+    ):
         generator = bench.random.__class__(percent)
         channel.set_pause_generator(iter(lambda g=generator, p=percent: g.random() * 100 < p, None))
     running = cocotb.start_soon(bench.play(script.frames(bench.random, bench.pool, bench.geometry, 6)))

@@ -17,7 +17,9 @@ async def frames(dut, name):
 
 
 def full_frames(bench, count):
-    return script.send([beat for _ in range(count) for beat in beats_of(bench.random.choice(bench.pool), bench.geometry)])
+    return script.send(
+        [beat for _ in range(count) for beat in beats_of(bench.random.choice(bench.pool), bench.geometry)]
+    )
 
 
 @cocotb.test()
@@ -60,7 +62,12 @@ async def random_stalls(dut, source, sink):
     assert bench.judge().exact_frames == 4
 
 
-add_tests(globals(), "stalls", random_stalls, [(10, 0), (0, 10), (50, 0), (0, 50), (30, 30), (50, 50), (80, 10), (10, 80), (90, 90)])
+add_tests(
+    globals(),
+    "stalls",
+    random_stalls,
+    [(10, 0), (0, 10), (50, 0), (0, 50), (30, 30), (50, 50), (80, 10), (10, 80), (90, 90)],
+)
 
 
 async def hold_between_frames(bench, lengths):
@@ -117,7 +124,10 @@ async def reset_at_any_clock(dut):
     bench = await frames(dut, "reset")
     for _ in range(12):
         bench.rates(bench.random.choice((0, 30)), bench.random.choice((0, 30, 90)))
-        bench.send(beats_of(bench.random.choice(bench.pool), bench.geometry) + beats_of(bench.random.choice(bench.pool), bench.geometry))
+        bench.send(
+            beats_of(bench.random.choice(bench.pool), bench.geometry)
+            + beats_of(bench.random.choice(bench.pool), bench.geometry)
+        )
         await ClockCycles(dut.aclk, bench.random.randrange(1, int(2.2 * bench.geometry.groups)))
         await bench.reset(bench.random.randrange(1, 5))
         bench.rates(0, 0)

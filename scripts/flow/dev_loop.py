@@ -61,10 +61,25 @@ class DevLoop:
     def prepare(self):
         """What must be there before the first step is timed: an up-to-date build and a pair of images."""
         WORK.mkdir(parents=True, exist_ok=True)
-        run(["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={self.config}"],
-            log=WORK / "configure.log")
+        run(
+            [
+                "cmake",
+                "-S",
+                ROOT,
+                "-B",
+                self.build,
+                "-G",
+                "Ninja",
+                "-DCMAKE_BUILD_TYPE=Release",
+                f"-DSTEREO_CONFIGURATIONS={self.config}",
+            ],
+            log=WORK / "configure.log",
+        )
         run(["cmake", "--build", self.build], log=WORK / "up_to_date.log")
-        run([os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"], passes_errors=True)
+        run(
+            [os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"],
+            passes_errors=True,
+        )
         shutil.rmtree(WORK / "rtl", ignore_errors=True)
 
     def native_build(self):
@@ -80,7 +95,11 @@ class DevLoop:
         need(find_bambu)
         # Else the tool's last run would be taken, as a touched header has the same content.
         (bambu.WORK / self.config / "inputs.json").unlink(missing_ok=True)
-        run([SCRIPTS / "synthesize.py", "--config", self.config, "--out", WORK / "rtl"], log=WORK / "synthesis.log", passes_errors=True)
+        run(
+            [SCRIPTS / "synthesize.py", "--config", self.config, "--out", WORK / "rtl"],
+            log=WORK / "synthesis.log",
+            passes_errors=True,
+        )
         return "into build/"
 
     def cosim(self, simulator, rows=None):

@@ -35,8 +35,18 @@ document.getElementById("page").onload = () => {{
 def _run(folder, width, height, page, *options):
     wrapper = folder / "frame.html"
     wrapper.write_text(_FRAME.format(width=width, height=height, uri=page.resolve().as_uri()))
-    words = [need("chromium"), "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--allow-file-access-from-files",
-             "--virtual-time-budget=3000", f"--user-data-dir={folder / 'profile'}", *options, wrapper.as_uri()]
+    words = [
+        need("chromium"),
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--hide-scrollbars",
+        "--allow-file-access-from-files",
+        "--virtual-time-budget=3000",
+        f"--user-data-dir={folder / 'profile'}",
+        *options,
+        wrapper.as_uri(),
+    ]
     return subprocess.run(words, capture_output=True, text=True, timeout=120, check=True).stdout
 
 

@@ -56,8 +56,12 @@ def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
 def test_whole_frame_of_a_system(verilator, tmp_path, config):
     if not (GENERATED_RTL / config / "stereo_core.vhd").is_file():
         assert not keeps_vhdl(config)
-        pytest.skip(f"SKIP: the repository does not keep the VHDL of {config}; scripts/synthesize.py --config {config} makes it, with Bambu")
+        pytest.skip(
+            f"SKIP: the repository does not keep the VHDL of {config}; scripts/synthesize.py --config {config} makes it, with Bambu"
+        )
     if manifest.stale_reasons(config, TABLE[config]):
-        pytest.skip(f"SKIP: the VHDL of {config} is of older sources; scripts/synthesize.py --config {config} makes it again, with Bambu")
+        pytest.skip(
+            f"SKIP: the VHDL of {config} is of older sources; scripts/synthesize.py --config {config} makes it again, with Bambu"
+        )
     process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
     passed(process, tmp_path / "out", config, 1)

@@ -14,8 +14,18 @@ from flow.pages import performance
 from flow.synthesis import manifest
 from flow_commands import call, refused
 
-REPORT = {"config": "tiny", "simulator": "ghdl", "command": "scripts/cosim.py ...", "passed": True, "expected": 168, "compared": 168, "mismatches": 0,
-          "frames": 1, "clocks": 270, "clocks_per_second": 4321.4}
+REPORT = {
+    "config": "tiny",
+    "simulator": "ghdl",
+    "command": "scripts/cosim.py ...",
+    "passed": True,
+    "expected": 168,
+    "compared": 168,
+    "mismatches": 0,
+    "frames": 1,
+    "clocks": 270,
+    "clocks_per_second": 4321.4,
+}
 
 
 @pytest.fixture
@@ -34,7 +44,10 @@ def test_the_last_run_of_each_simulator_is_kept(folder):
     cosim_record.keep(REPORT | {"simulator": "verilator", "expected": 288, "compared": 288})
     cosim_record.keep(REPORT | {"mismatches": 3, "passed": False})
     runs = cosim_record.read(folder, entry)
-    assert {name: (run["compared"], run["mismatches"]) for name, run in runs.items()} == {"ghdl": (168, 3), "verilator": (288, 0)}
+    assert {name: (run["compared"], run["mismatches"]) for name, run in runs.items()} == {
+        "ghdl": (168, 3),
+        "verilator": (288, 0),
+    }
     assert "clocks_per_second" not in runs["ghdl"], "times differ from machine to machine"
 
 
@@ -44,8 +57,16 @@ def test_results_of_other_vhdl_do_not_count(folder):
     assert cosim_record.read(folder, entry | {"files": entry["files"] | {"stereo_core.vhd": "0"}}) == {}
 
 
-@pytest.mark.parametrize("content", ["", "[]", "{}", '{"format": "stereo-hls cosimulation 2", "runs": {}}',
-                                     json.dumps({"format": cosim_record.FORMAT, "runs": {"ghdl": {"compared": "all"}}})])
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "[]",
+        "{}",
+        '{"format": "stereo-hls cosimulation 2", "runs": {}}',
+        json.dumps({"format": cosim_record.FORMAT, "runs": {"ghdl": {"compared": "all"}}}),
+    ],
+)
 def test_damaged_results_are_refused(folder, content):
     (folder / cosim_record.FILE).write_text(content)
     with pytest.raises(FlowError, match="damaged .*cosimulation.json"):
@@ -62,4 +83,6 @@ def test_the_page_shows_them(folder, monkeypatch):
 
 @pytest.mark.parametrize("options", [["--rtl", GENERATED_RTL / "tiny"], ["--simulator", "original"]])
 def test_only_results_of_the_committed_vhdl_are_recorded(options):
-    refused(call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record")
+    refused(
+        call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record"
+    )

@@ -12,8 +12,16 @@ from flow.pages import features
 from flow.synthesis import manifest
 from flow_commands import call
 
-AREA = {"luts": 5000, "ffs": 4000, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {},
-        "fmax_mhz": {"median": 150.0, "best": 150.0, "by_seed": {}}, "critical_path": {"from": "a", "to": "b", "block": "a"}}
+AREA = {
+    "luts": 5000,
+    "ffs": 4000,
+    "memory_bits": 1088,
+    "block_rams": 2,
+    "memory_in_flip_flops": False,
+    "cells": {},
+    "fmax_mhz": {"median": 150.0, "best": 150.0, "by_seed": {}},
+    "critical_path": {"from": "a", "to": "b", "block": "a"},
+}
 
 
 def rows(text):
@@ -40,7 +48,11 @@ def folders(tmp_path, monkeypatch):
         implement.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
     for module in (results, implement):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
-    monkeypatch.setattr(features, "OPTIONS", [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])])
+    monkeypatch.setattr(
+        features,
+        "OPTIONS",
+        [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])],
+    )
     return tmp_path
 
 

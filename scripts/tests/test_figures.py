@@ -28,9 +28,21 @@ def test_speed_follows_from_the_clock():
 
 
 # (pixels a clock, groups to the first output, least rows wanted, result) of an image of 32x12
-@pytest.mark.parametrize("lanes, first, least, rows", [
-    (1, 43, 8, "2:10"), (1, 43, 1, "5:7"), (2, 43, 3, "4:8"), (1, 32, 1, "5:6"), (1, 33, 1, "5:7"), (1, 352, 4, "0:11"), (1, 353, 4, None),
-    (4, 65, 1, None), (1, 43, 12, None), (1, 43, 100, None)])
+@pytest.mark.parametrize(
+    "lanes, first, least, rows",
+    [
+        (1, 43, 8, "2:10"),
+        (1, 43, 1, "5:7"),
+        (2, 43, 3, "4:8"),
+        (1, 32, 1, "5:6"),
+        (1, 33, 1, "5:7"),
+        (1, 352, 4, "0:11"),
+        (1, 353, 4, None),
+        (4, 65, 1, None),
+        (1, 43, 12, None),
+        (1, 43, 100, None),
+    ],
+)
 def test_the_middle_rows_give_an_output(lanes, first, least, rows):
     parameters = {"width_px": 32, "height_px": 12, "pixels_per_clock": lanes, "groups_to_first_output": first}
     assert figures.middle_rows(parameters, least) == rows

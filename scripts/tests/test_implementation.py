@@ -43,7 +43,9 @@ def test_line_memories_are_ram(name):
     for target, result in committed(name)["targets"].items():
         assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
         declared = manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
-        assert 0.9 * declared <= result["memory_bits"] <= declared, "bits that never change may fall away, as those above a small D"
+        assert 0.9 * declared <= result["memory_bits"] <= declared, (
+            "bits that never change may fall away, as those above a small D"
+        )
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -83,7 +85,10 @@ def tools(ghdl):
 
 
 def area(result):
-    return {key: result.get(key) for key in ("luts", "aluts", "ffs", "memory_bits", "block_rams", "memory_in_flip_flops", "cells")}
+    return {
+        key: result.get(key)
+        for key in ("luts", "aluts", "ffs", "memory_bits", "block_rams", "memory_in_flip_flops", "cells")
+    }
 
 
 @pytest.mark.parametrize("target", ["cyclonev", "xc7"])

@@ -42,23 +42,55 @@ def test_a_register_that_the_loop_never_writes_is_a_constant(tmp_path):
 
 
 def test_parts_of_signals_are_read(tmp_path):
-    netlist = lowered(tmp_path, ("in2 => std_logic_vector(out_sum));", "in2 => std_logic_vector(out_sum(2 downto 1)));"))
+    netlist = lowered(
+        tmp_path, ("in2 => std_logic_vector(out_sum));", "in2 => std_logic_vector(out_sum(2 downto 1)));")
+    )
     assert run(netlist, [1, 0, 1, 1]) == [8 >> 1 & 3, 9 >> 1 & 3, 9 >> 1 & 3, 10 >> 1 & 3]
 
 
-@pytest.mark.parametrize("changes,message", [
-    ([("ui_plus_expr_FU generic map(BITSIZE_in1=>8,\n    BITSIZE_in2=>2", "ui_mystery_expr_FU generic map(BITSIZE_in1=>8,\n    BITSIZE_in2=>2")],
-     "no lowering rule for instance kind 'ui_mystery_expr_FU'"),
-    ([("        next_state <= S_0;\n      when others", "        next_state <= S_1;\n      when others")], "the loop takes 2 states, not one"),
-    ([("in1 => unsigned(out_reg_0),\n    in2 => unsigned(out_const_1)", "in1 => unsigned(out_nowhere),\n    in2 => unsigned(out_const_1)")],
-     "undeclared signal out_nowhere"),
-    ([("  const_1 : constant_value", "  out_const_0 <= out_const_1;\n  const_1 : constant_value")], "a statement that is no instance"),
-    ([("        selector_MUX_0 <= '1';\n        wrenable", "        if(other = '1') then\n        end if;\n        wrenable")],
-     "state S_0 has a condition"),
-    ([('value=>"11"', "value=>SOMETHING")], "constant const_1 has an unknown value SOMETHING"),
-    ([("end datapath_stereo_core_arch;", "")], "no part from"),
-    ([("(reset='0')", "(reset='1')")], "no reset state"),
-])
+@pytest.mark.parametrize(
+    "changes,message",
+    [
+        (
+            [
+                (
+                    "ui_plus_expr_FU generic map(BITSIZE_in1=>8,\n    BITSIZE_in2=>2",
+                    "ui_mystery_expr_FU generic map(BITSIZE_in1=>8,\n    BITSIZE_in2=>2",
+                )
+            ],
+            "no lowering rule for instance kind 'ui_mystery_expr_FU'",
+        ),
+        (
+            [("        next_state <= S_0;\n      when others", "        next_state <= S_1;\n      when others")],
+            "the loop takes 2 states, not one",
+        ),
+        (
+            [
+                (
+                    "in1 => unsigned(out_reg_0),\n    in2 => unsigned(out_const_1)",
+                    "in1 => unsigned(out_nowhere),\n    in2 => unsigned(out_const_1)",
+                )
+            ],
+            "undeclared signal out_nowhere",
+        ),
+        (
+            [("  const_1 : constant_value", "  out_const_0 <= out_const_1;\n  const_1 : constant_value")],
+            "a statement that is no instance",
+        ),
+        (
+            [
+                (
+                    "        selector_MUX_0 <= '1';\n        wrenable",
+                    "        if(other = '1') then\n        end if;\n        wrenable",
+                )
+            ],
+            "state S_0 has a condition",
+        ),
+        ([('value=>"11"', "value=>SOMETHING")], "constant const_1 has an unknown value SOMETHING"),
+        ([("end datapath_stereo_core_arch;", "")], "no part from"),
+        ([("(reset='0')", "(reset='1')")], "no reset state"),
+    ],
+)
 def test_what_is_not_understood_is_named(tmp_path, changes, message):
     with pytest.raises(FlowError, match=message) as caught:
         lowered(tmp_path, *changes)

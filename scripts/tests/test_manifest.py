@@ -15,7 +15,9 @@ CONFIGURATIONS = sorted(filter(keeps_vhdl, tools.configurations()))
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_is_up_to_date(name):
     reasons = manifest.stale_reasons(name, tools.configuration(name))
-    assert not reasons, f"generated_rtl/{name} is stale ({'; '.join(reasons)}); run scripts/synthesize.py --config {name}"
+    assert not reasons, (
+        f"generated_rtl/{name} is stale ({'; '.join(reasons)}); run scripts/synthesize.py --config {name}"
+    )
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -27,7 +29,13 @@ def test_generated_vhdl_is_what_the_manifest_says(name):
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_says_where_it_came_from(name):
     head = (tools.GENERATED_RTL / name / "stereo_core.vhd").read_text()[:600]
-    for words in ("SPDX-License-Identifier: Apache-2.0", f"configuration {name}", "hls/stereo_top.cpp", "PandA Bambu", "synthesize.py"):
+    for words in (
+        "SPDX-License-Identifier: Apache-2.0",
+        f"configuration {name}",
+        "hls/stereo_top.cpp",
+        "PandA Bambu",
+        "synthesize.py",
+    ):
         assert words in head
 
 
@@ -47,7 +55,13 @@ def test_nothing_of_the_tools_library_is_committed(name):
 @pytest.fixture
 def project(tmp_path, monkeypatch):
     """A copy of what the digests cover, to be changed."""
-    for pattern in ("hls/*.[hc]pp", "hls/rtl/*.vhd", "hls_tb/vectors/*names.hpp", "scripts/flow/synthesis/**/*.py", "generated_rtl/*/*"):
+    for pattern in (
+        "hls/*.[hc]pp",
+        "hls/rtl/*.vhd",
+        "hls_tb/vectors/*names.hpp",
+        "scripts/flow/synthesis/**/*.py",
+        "generated_rtl/*/*",
+    ):
         for path in tools.ROOT.glob(pattern):
             target = tmp_path / path.relative_to(tools.ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -64,11 +78,20 @@ def test_a_changed_new_or_missing_source_makes_the_vhdl_stale(project):
     block.write_text(block.read_text().replace("255", "254", 1))
     (project / "hls" / "census_cost.hpp").write_text("#pragma once\n")
     (project / "scripts" / "flow" / "synthesis" / "lowering" / "rules.py").unlink()
-    for path in ("scripts/flow/synthesis/bambu.py", "scripts/flow/synthesis/generate.py", "hls_tb/vectors/register_names.hpp"):
+    for path in (
+        "scripts/flow/synthesis/bambu.py",
+        "scripts/flow/synthesis/generate.py",
+        "hls_tb/vectors/register_names.hpp",
+    ):
         (project / path).write_text((project / path).read_text() + "\n")
     assert manifest.stale_reasons("tiny", parameters) == [
-        "hls/census_cost.hpp is new", "hls/sad_cost.hpp changed", "hls_tb/vectors/register_names.hpp changed", "scripts/flow/synthesis/bambu.py changed",
-        "scripts/flow/synthesis/generate.py changed", "scripts/flow/synthesis/lowering/rules.py is gone"]
+        "hls/census_cost.hpp is new",
+        "hls/sad_cost.hpp changed",
+        "hls_tb/vectors/register_names.hpp changed",
+        "scripts/flow/synthesis/bambu.py changed",
+        "scripts/flow/synthesis/generate.py changed",
+        "scripts/flow/synthesis/lowering/rules.py is gone",
+    ]
 
 
 def test_vhdl_that_is_not_what_was_made_is_said(project):
@@ -113,7 +136,13 @@ def test_a_failing_tool_leaves_nothing_behind(tmp_path):
     assert not (tmp_path / "rtl" / "tiny").exists()
     version, command = (tmp_path / "bambu.calls").read_text().splitlines()
     assert version == "--version"
-    for option in ("hls/stereo_top.cpp", "-DSTEREO_CONFIGURATION=tiny", "--top-fname=stereo_core", "-wH", "--generate-components-library"):
+    for option in (
+        "hls/stereo_top.cpp",
+        "-DSTEREO_CONFIGURATION=tiny",
+        "--top-fname=stereo_core",
+        "-wH",
+        "--generate-components-library",
+    ):
         assert option in command.split()
 
 

@@ -37,10 +37,21 @@ def file(tmp_path):
 
 def test_every_kind_of_fault_is_made(file):
     changes = {mutant.text.strip() for mutant in mutants.mutants_of(file)}
-    for expected in ("count <= count - 1;", "count <= count + 2;", "null;", "row_0 <= row_2;", "if rising_edge(clock) and a /= '1' then",
-                     "if rising_edge(clock) or a = '1' then", "if rising_edge(clock) and a = '0' then", "b <= a when count < 3 else '0';",
-                     "if not (rising_edge(clock) and a = '1') then", "b <= not a when count <= 3 else '0';", "b <= not a when not (count < 3) else '0';",
-                     "b <= not a when count < 4 else '0';", "b <= not a when count < 3 else '1';"):
+    for expected in (
+        "count <= count - 1;",
+        "count <= count + 2;",
+        "null;",
+        "row_0 <= row_2;",
+        "if rising_edge(clock) and a /= '1' then",
+        "if rising_edge(clock) or a = '1' then",
+        "if rising_edge(clock) and a = '0' then",
+        "b <= a when count < 3 else '0';",
+        "if not (rising_edge(clock) and a = '1') then",
+        "b <= not a when count <= 3 else '0';",
+        "b <= not a when not (count < 3) else '0';",
+        "b <= not a when count < 4 else '0';",
+        "b <= not a when count < 3 else '1';",
+    ):
         assert expected in changes, expected
 
 
@@ -110,14 +121,22 @@ def test_explained_survivors_do_not_count(blind):
 def test_an_explanation_of_a_killed_mutant_is_reported(blind):
     (blind / "equivalent.json").write_text("{}")
     mutation.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
-    killed = next(verdict["key"] for verdict in json.loads((blind / "report.json").read_text())["verdicts"] if verdict["outcome"] == "killed")
+    killed = next(
+        verdict["key"]
+        for verdict in json.loads((blind / "report.json").read_text())["verdicts"]
+        if verdict["outcome"] == "killed"
+    )
     (blind / "equivalent.json").write_text(json.dumps({killed: "wrong"}))
     _, left = mutation.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
     assert killed in left
 
 
 def test_each_explanation_names_a_mutant_and_gives_a_reason():
-    keys = {mutant.key for path in (*mutation.core_files(), *mutation.design.shell_files()) for mutant in mutants.mutants_of(path)}
+    keys = {
+        mutant.key
+        for path in (*mutation.core_files(), *mutation.design.shell_files())
+        for mutant in mutants.mutants_of(path)
+    }
     explanations = json.loads(mutation.EXPLANATIONS.read_text())
     assert set(explanations) <= keys, set(explanations) - keys
     assert all(len(reason) > 20 for reason in explanations.values())

@@ -50,7 +50,9 @@ def test_a_register_without_counterpart_gets_a_plain_name(tmp_path):
     text = trace_text().replace("count_value", "in_count").replace("tag_valid", "in_tag")
     netlist = design()
     assert name_registers(netlist, trace(tmp_path, text)) == 0
-    assert sorted(r.name for r in netlist.registers) == ["other_0", "other_1"], "the twin is merged, the others are not found"
+    assert sorted(r.name for r in netlist.registers) == ["other_0", "other_1"], (
+        "the twin is merged, the others are not found"
+    )
 
 
 def test_a_netlist_that_differs_from_the_core_is_refused(tmp_path):
@@ -59,7 +61,9 @@ def test_a_netlist_that_differs_from_the_core_is_refused(tmp_path):
     assert caught.value.exit_code == 4
 
 
-@pytest.mark.parametrize("damage", [lambda t: "", lambda t: t.replace("trace 1", "trace 2"), lambda t: t.rsplit("\n", 2)[0] + "\n"])
+@pytest.mark.parametrize(
+    "damage", [lambda t: "", lambda t: t.replace("trace 1", "trace 2"), lambda t: t.rsplit("\n", 2)[0] + "\n"]
+)
 def test_damaged_trace_files_are_refused(tmp_path, damage):
     with pytest.raises(FlowError, match="not a complete 'trace' file"):
         trace(tmp_path, damage(trace_text()))

@@ -24,7 +24,9 @@ def random_expression(rng, depth):
         return n.leaf("input", name, WIDTHS[name]), lambda i: i[name]
     x, fx = random_expression(rng, depth - 1)
     y, fy = random_expression(rng, depth - 1)
-    kind = rng.choice(("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held", "mul"))
+    kind = rng.choice(
+        ("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held", "mul")
+    )
     if kind == "add":
         return n.add(x, y), lambda i: fx(i) + fy(i)
     if kind == "sub":
@@ -56,8 +58,10 @@ def random_expression(rng, depth):
         bit, fbit = random_bit(rng, depth - 1)
         take, ftake = random_bit(rng, depth - 1)
         a, fa = random_bit(rng, depth - 1)
-        return (n.mux(bit, n.bit_or(a, take), n.bit_and(a, n.bit_not(take))),
-                lambda i: (fa(i) | ftake(i)) if fbit(i) else (fa(i) & (1 - ftake(i))))
+        return (
+            n.mux(bit, n.bit_or(a, take), n.bit_and(a, n.bit_not(take))),
+            lambda i: (fa(i) | ftake(i)) if fbit(i) else (fa(i) & (1 - ftake(i))),
+        )
     return random_bit(rng, depth)
 
 
@@ -90,7 +94,9 @@ def test_simplified_expressions_keep_their_value(rng, part):
             got, expected = step(inputs, [], [])["out"], plain(inputs)
             assert got == expected, f"{node!r} of {inputs}: expected {expected}, got {got}"
             assert node.low <= got <= node.high, f"{node!r} of {inputs}: {got} is outside {node.low} ... {node.high}"
-            assert node.ones is None or got & ~node.ones == 0, f"{node!r} of {inputs}: {got} has a bit outside {node.ones:b}"
+            assert node.ones is None or got & ~node.ones == 0, (
+                f"{node!r} of {inputs}: {got} has a bit outside {node.ones:b}"
+            )
 
 
 def test_rebuilding_with_constants_equals_evaluating_with_them(rng):
@@ -110,7 +116,9 @@ def test_known_simplifications():
     assert n.wrap(difference, 16, signed=True) is difference
     assert n.mux(n.bit_not(n.leaf("input", "s", 1)), a, b) is n.mux(n.leaf("input", "s", 1), b, a)
     bits = [n.wrap(n.shift_right(a, k), 1) for k in range(8)]
-    assert n.bit_and(*[bit if 0x5A >> k & 1 else n.bit_not(bit) for k, bit in enumerate(bits)]) is n.equal(a, n.const(0x5A))
+    assert n.bit_and(*[bit if 0x5A >> k & 1 else n.bit_not(bit) for k, bit in enumerate(bits)]) is n.equal(
+        a, n.const(0x5A)
+    )
 
 
 def test_twins_are_merged_and_unused_registers_dropped():
@@ -135,11 +143,16 @@ def test_the_pieces_of_a_word_behind_a_memory_become_one_register():
     """8 bits of memory, of which two registers take 3 and 5 bits; the word starts as they do."""
     address = netlist.Register("address", n.leaf("register", "address", 2))
     data = n.leaf("memory", "m", 8)
-    low, high = netlist.Register("low", n.leaf("register", "low", 3), 5), netlist.Register("high", n.leaf("register", "high", 5), 1)
+    low, high = (
+        netlist.Register("low", n.leaf("register", "low", 3), 5),
+        netlist.Register("high", n.leaf("register", "high", 5), 1),
+    )
     address.next = n.wrap(n.add(address.value, n.const(1)), 2)
     low.next, high.next = n.wrap(data, 3), n.shift_right(data, 3)
     memory = netlist.Memory("m", 4, 8, data, address.value, address.value, n.leaf("input", "a", 8))
-    design = netlist.Netlist({"a": n.leaf("input", "a", 8)}, {"low": low.value, "high": high.value}, [address, low, high], [memory])
+    design = netlist.Netlist(
+        {"a": n.leaf("input", "a", 8)}, {"low": low.value, "high": high.value}, [address, low, high], [memory]
+    )
     netlist.join_memory_slices(design)
     assert [r.name for r in design.registers] == ["address", "m_word"]
     word = design.registers[1]

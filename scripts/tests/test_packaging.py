@@ -61,22 +61,40 @@ def test_unknown_configuration():
 
 def test_example_has_the_generics_of_its_core():
     text = (example.FOLDER / "example_top.vhd").read_text()
-    text = text[text.index("entity work.stereo_ip"):]
+    text = text[text.index("entity work.stereo_ip") :]
     constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", (example.FOLDER / "example_top.vhd").read_text()))
-    given = {name: int(constants.get(value, value)) for name, value in re.findall(r"(\w+) => (\w+)", text[:text.index("port map")])}
+    given = {
+        name: int(constants.get(value, value))
+        for name, value in re.findall(r"(\w+) => (\w+)", text[: text.index("port map")])
+    }
     assert given == design.generics("tiny")
 
 
 def test_example_shows_the_right_disparities(ghdl, tmp_path):
-    files = [*design.vhdl_files("tiny"), *(example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top"))]
+    files = [
+        *design.vhdl_files("tiny"),
+        *(example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")),
+    ]
     process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")
     assert process.returncode == 0 and "example passed: LEDs 10000100" in process.stdout + process.stderr
 
 
 def test_example_notices_wrong_disparities(ghdl, tmp_path):
     wrong = tmp_path / "example_top.vhd"
-    wrong.write_text((example.FOLDER / "example_top.vhd").read_text().replace("map_px => output_width_px * height_px, shift => shift", "map_px => output_width_px * height_px, shift => shift + 1"))
-    files = [*design.vhdl_files("tiny"), *(example.FOLDER / f"{name}.vhd" for name in example.SOURCES[:-1]), wrong, example.FOLDER / "tb_example_top.vhd"]
+    wrong.write_text(
+        (example.FOLDER / "example_top.vhd")
+        .read_text()
+        .replace(
+            "map_px => output_width_px * height_px, shift => shift",
+            "map_px => output_width_px * height_px, shift => shift + 1",
+        )
+    )
+    files = [
+        *design.vhdl_files("tiny"),
+        *(example.FOLDER / f"{name}.vhd" for name in example.SOURCES[:-1]),
+        wrong,
+        example.FOLDER / "tb_example_top.vhd",
+    ]
     process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")
     assert process.returncode != 0 and "LEDs show 00000100" in process.stdout + process.stderr
 
@@ -89,8 +107,13 @@ def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
     for name in ("hls", "generated_rtl/tiny", "examples"):
         shutil.copytree(ROOT / name, cores / name)
     shutil.copy(ROOT / "stereo_hls.core", cores)
-    process = subprocess.run([fusesoc / "fusesoc", "--cores-root", tmp_path / "cores", "run", "--target", target, "stereo_hls"], cwd=tmp_path,
-                             capture_output=True, text=True, env=environment)
+    process = subprocess.run(
+        [fusesoc / "fusesoc", "--cores-root", tmp_path / "cores", "run", "--target", target, "stereo_hls"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        env=environment,
+    )
     assert process.returncode == 0 and word in process.stdout + process.stderr, process.stdout + process.stderr
 
 

@@ -14,8 +14,12 @@ from flow.synthesis import manifest
 from flow_commands import call, refused
 
 AREA = {"ffs": 1500, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {}}
-ECP5 = {**AREA, "luts": 1000, "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
-        "critical_path": {"from": "raster_group", "to": "slice0cost_pair_0", "block": "slice0cost"}}
+ECP5 = {
+    **AREA,
+    "luts": 1000,
+    "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
+    "critical_path": {"from": "raster_group", "to": "slice0cost_pair_0", "block": "slice0cost"},
+}
 
 
 @pytest.fixture
@@ -79,10 +83,13 @@ def test_bad_options():
     refused(call("performance.py", "--check", "--config", "tiny"), 2, "not allowed with")
 
 
-@pytest.mark.parametrize("options,words", [
-    (["--rows", "1"], ["--rows must be 2 or more"]),
-    (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
-    (["--config", "nonsense"], ["unknown configuration 'nonsense'"]),
-])
+@pytest.mark.parametrize(
+    "options,words",
+    [
+        (["--rows", "1"], ["--rows must be 2 or more"]),
+        (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
+        (["--config", "nonsense"], ["unknown configuration 'nonsense'"]),
+    ],
+)
 def test_dev_loop_refuses(options, words):
     refused(call("dev_loop.py", *options), 2, *words)

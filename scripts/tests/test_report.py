@@ -24,9 +24,36 @@ def fill(folder, config, truth=True):
     """A demo folder as the demo leaves it, with made-up co-simulations."""
     left, right = scene(folder / "scene", config, seed=3)
     side = "left" if "left" in config else "right"
-    words = ["--truth", folder / "scene" / f"disparity_{side}.png", "--visible", folder / "scene" / f"visible_{side}.png"] if truth else []
-    subprocess.run([find_stereo_hls(), "match", "--config", config, "--left", left, "--right", right, "--out", folder / "match", *words], check=True, capture_output=True)
-    whole = {"simulator": "verilator", "rows": None, "frames": 2, "clocks_per_frame": 384, "expected": 576, "compared": 576}
+    words = (
+        ["--truth", folder / "scene" / f"disparity_{side}.png", "--visible", folder / "scene" / f"visible_{side}.png"]
+        if truth
+        else []
+    )
+    subprocess.run(
+        [
+            find_stereo_hls(),
+            "match",
+            "--config",
+            config,
+            "--left",
+            left,
+            "--right",
+            right,
+            "--out",
+            folder / "match",
+            *words,
+        ],
+        check=True,
+        capture_output=True,
+    )
+    whole = {
+        "simulator": "verilator",
+        "rows": None,
+        "frames": 2,
+        "clocks_per_frame": 384,
+        "expected": 576,
+        "compared": 576,
+    }
     for name, changes in zip(COSIMS, ({}, whole)):
         (folder / name).mkdir()
         change(folder / name / "report.json", dict(COSIM), config=config, **changes)
@@ -49,7 +76,9 @@ def count(picture, color):
 def test_pictures_are_those_of_the_demo(demo):
     drawn, notes = report.draw(demo)
     titles = [picture.title for picture in drawn]
-    assert titles == ["Left image", "Right image", "Disparity", "Error against the ground truth"] + (["Rejections"] if demo.has_checks else [])
+    assert titles == ["Left image", "Right image", "Disparity", "Error against the ground truth"] + (
+        ["Rejections"] if demo.has_checks else []
+    )
     assert notes == [], "and the error picture has as many bad pixels as match.json"
     left = numpy.asarray(Image.open(demo.folder / "scene" / "left.png").convert("RGB"))
     assert (colors(drawn[0]) == left).all()
@@ -91,7 +120,9 @@ def test_rejections_are_counted(demo):
 def test_a_pair_that_is_gone_leaves_notes(demo):
     gone = {**demo.match, "left": "no/left.png", "truth": {**demo.match["truth"], "visible": "no/visible.png"}}
     drawn, notes = report.draw(demo_folder.Demo(demo.folder, gone, demo.cosims, demo.core, demo.has_checks))
-    assert "Left image" not in [picture.title for picture in drawn] and "Error against the ground truth" not in [picture.title for picture in drawn]
+    assert "Left image" not in [picture.title for picture in drawn] and "Error against the ground truth" not in [
+        picture.title for picture in drawn
+    ]
     assert any("no/left.png" in note for note in notes) and any("no/visible.png" in note for note in notes)
 
 
@@ -131,7 +162,11 @@ def test_without_matplotlib_one_sentence(tmp_path):
     (tmp_path / "modules").mkdir()
     (tmp_path / "modules" / "matplotlib.py").write_text("raise ImportError('none', name='matplotlib')")
     process = call("report.py", "--demo", folder, environment={"PYTHONPATH": str(tmp_path / "modules")})
-    assert process.returncode == 3 and "apt-get install python3-matplotlib" in process.stderr and process.stderr.count("\n") == 1
+    assert (
+        process.returncode == 3
+        and "apt-get install python3-matplotlib" in process.stderr
+        and process.stderr.count("\n") == 1
+    )
     assert not (folder / "report.html").exists()
 
 
@@ -140,7 +175,12 @@ def pages(tmp_path_factory):
     """A page with checks, a long path in its commands, and one with a failed co-simulation."""
     need("chromium")
     folder = fill(tmp_path_factory.mktemp("a_folder_with_quite_a_long_name_that_does_not_break"), "tiny_all")
-    change(folder / COSIMS[0] / "report.json", passed=False, mismatches=2, first_mismatch="clock 9, frame 0, x 3, y 1: expected disparity 2 flags 4, got disparity 1")
+    change(
+        folder / COSIMS[0] / "report.json",
+        passed=False,
+        mismatches=2,
+        first_mismatch="clock 9, frame 0, x 3, y 1: expected disparity 2 flags 4, got disparity 1",
+    )
     (folder / "report.html").write_text(report.render(demo_folder.read_demo(folder)))
     return folder / "report.html"
 

@@ -24,16 +24,27 @@ def random_netlist(rng, registers=40):
     design = netlist.Netlist({name: n.leaf("input", name, w) for name, w in INPUTS.items()})
     for k in range(registers):
         width = rng.choice((1, 1, 4, 8, 8, 12))
-        design.registers.append(netlist.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width)))
-    words = [r.value for r in design.registers if not r.value.is_bit] + [design.inputs["left_pixel"], design.inputs["right_pixel"]]
-    bits = [r.value for r in design.registers if r.value.is_bit] + [design.inputs["start_of_frame"], design.inputs["valid"]]
+        design.registers.append(
+            netlist.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width))
+        )
+    words = [r.value for r in design.registers if not r.value.is_bit] + [
+        design.inputs["left_pixel"],
+        design.inputs["right_pixel"],
+    ]
+    bits = [r.value for r in design.registers if r.value.is_bit] + [
+        design.inputs["start_of_frame"],
+        design.inputs["valid"],
+    ]
     for register in design.registers:
         make = random_bit if register.value.is_bit else random_word
         value = n.wrap(make(rng, words, bits, 3), register.value.width)
         register.next = n.mux(rng.choice(bits), value, register.value) if rng.random() < 0.3 else value
     design.outputs = {
-        "disparity": n.wrap(n.add(*[r.value for r in design.registers]), 8), "disparity_valid": n.const(1), "pixel_valid": bits[0],
-        "disparity_start_of_frame": n.bit_or(*[b for b in bits[: len(bits) // 2]]), "disparity_end_of_line": n.bit_and(bits[0], n.bit_not(n.less(words[0], words[1]))),
+        "disparity": n.wrap(n.add(*[r.value for r in design.registers]), 8),
+        "disparity_valid": n.const(1),
+        "pixel_valid": bits[0],
+        "disparity_start_of_frame": n.bit_or(*[b for b in bits[: len(bits) // 2]]),
+        "disparity_end_of_line": n.bit_and(bits[0], n.bit_not(n.less(words[0], words[1]))),
     }
     return design
 
@@ -43,12 +54,22 @@ def random_word(rng, words, bits, depth):
         return rng.choice(words) if rng.random() < 0.8 else n.const(rng.randrange(256))
     x, y = (random_word(rng, words, bits, depth - 1) for _ in range(2))
     bit = random_bit(rng, words, bits, depth - 1)
-    return rng.choice((
-        lambda: n.add(x, y), lambda: n.sub(x, y), lambda: n.absolute(n.sub(x, y)), lambda: n.mux(bit, x, y), lambda: n.add(x, bit), lambda: n.wrap(n.mul(n.wrap(x, 6), y), 12),
-        lambda: n.bitwise(rng.choice(("and", "or", "xor")), n.wrap(x, 8), n.wrap(y, 8)),
-        lambda: n.wrap(n.shift_left(x, rng.randrange(4)), 10), lambda: n.shift_right(n.wrap(x, 9), rng.randrange(5)),
-        lambda: n.wrap(x, rng.randrange(1, 9)), lambda: n.wrap(x, 6, signed=True), lambda: n.add(x, n.const(-rng.randrange(9))),
-    ))()
+    return rng.choice(
+        (
+            lambda: n.add(x, y),
+            lambda: n.sub(x, y),
+            lambda: n.absolute(n.sub(x, y)),
+            lambda: n.mux(bit, x, y),
+            lambda: n.add(x, bit),
+            lambda: n.wrap(n.mul(n.wrap(x, 6), y), 12),
+            lambda: n.bitwise(rng.choice(("and", "or", "xor")), n.wrap(x, 8), n.wrap(y, 8)),
+            lambda: n.wrap(n.shift_left(x, rng.randrange(4)), 10),
+            lambda: n.shift_right(n.wrap(x, 9), rng.randrange(5)),
+            lambda: n.wrap(x, rng.randrange(1, 9)),
+            lambda: n.wrap(x, 6, signed=True),
+            lambda: n.add(x, n.const(-rng.randrange(9))),
+        )
+    )()
 
 
 def random_bit(rng, words, bits, depth):
@@ -56,10 +77,19 @@ def random_bit(rng, words, bits, depth):
         return rng.choice(bits)
     x, y = (random_word(rng, words, bits, depth - 1) for _ in range(2))
     p, q = (random_bit(rng, words, bits, depth - 1) for _ in range(2))
-    return rng.choice((
-        lambda: n.less(x, y), lambda: n.equal(x, y), lambda: n.bit_not(n.equal(x, n.const(7))), lambda: n.bit_and(p, q), lambda: n.bit_or(p, q),
-        lambda: n.bit_not(p), lambda: n.bit_xor(p, q), lambda: n.mux(p, q, n.less(x, n.const(50))), lambda: n.wrap(x, 1),
-    ))()
+    return rng.choice(
+        (
+            lambda: n.less(x, y),
+            lambda: n.equal(x, y),
+            lambda: n.bit_not(n.equal(x, n.const(7))),
+            lambda: n.bit_and(p, q),
+            lambda: n.bit_or(p, q),
+            lambda: n.bit_not(p),
+            lambda: n.bit_xor(p, q),
+            lambda: n.mux(p, q, n.less(x, n.const(50))),
+            lambda: n.wrap(x, 1),
+        )
+    )()
 
 
 def run_in_python(design, stimulus):
@@ -85,7 +115,9 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
     netlist.remove_unused(design)
     (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- random netlist").write())
     stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
-    lines = [f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus]
+    lines = [
+        f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus
+    ]
     (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
     simulator = Ghdl([tmp_path / "stereo_core.vhd"], tmp_path / "sim")
     simulator.build()
@@ -94,7 +126,9 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
     assert clocks == CLOCKS
     for expected, got in zip(run_in_python(design, stimulus), observed, strict=True):
         assert got == expected
-    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path), "GHDL's synthesis takes it, too"
+    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path), (
+        "GHDL's synthesis takes it, too"
+    )
 
 
 def test_ranges_follow_a_pipeline_and_leave_counters_alone():
@@ -122,10 +156,27 @@ def test_hold_is_found():
 
 
 def memory_design():
-    address, word = netlist.Register("m_address", n.leaf("register", "m_address", 3)), netlist.Register("m_word", n.leaf("register", "m_word", 8))
-    memory = netlist.Memory("m_memory", 8, 8, n.leaf("memory", "m_memory", 8), address.value, address.value, n.leaf("input", "left_pixel", 8))
+    address, word = (
+        netlist.Register("m_address", n.leaf("register", "m_address", 3)),
+        netlist.Register("m_word", n.leaf("register", "m_word", 8)),
+    )
+    memory = netlist.Memory(
+        "m_memory",
+        8,
+        8,
+        n.leaf("memory", "m_memory", 8),
+        address.value,
+        address.value,
+        n.leaf("input", "left_pixel", 8),
+    )
     address.next, word.next = n.wrap(n.add(address.value, n.const(1)), 3), memory.data
-    outputs = {"disparity": word.value, "pixel_valid": n.const(1), "disparity_valid": n.const(1), "disparity_start_of_frame": n.const(0), "disparity_end_of_line": n.const(0)}
+    outputs = {
+        "disparity": word.value,
+        "pixel_valid": n.const(1),
+        "disparity_valid": n.const(1),
+        "disparity_start_of_frame": n.const(0),
+        "disparity_end_of_line": n.const(0),
+    }
     return netlist.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
 
 
@@ -162,7 +213,9 @@ def test_a_memory_that_is_read_without_a_register_is_refused():
 
 def test_an_operation_without_vhdl_is_refused():
     design = memory_design()
-    design.outputs["disparity"] = n.wrap(n.shift_right(n.sub(design.registers[1].value, n.leaf("input", "right_pixel", 8)), 1), 8)
+    design.outputs["disparity"] = n.wrap(
+        n.shift_right(n.sub(design.registers[1].value, n.leaf("input", "right_pixel", 8)), 1), 8
+    )
     design.inputs["right_pixel"] = n.leaf("input", "right_pixel", 8)
     with pytest.raises(FlowError, match="no VHDL for an arithmetic right shift"):
         VhdlWriter(design, "").write()
@@ -181,7 +234,9 @@ def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant)
     stimulus = [{"left_pixel": k % 4, "right_pixel": 0, "start_of_frame": 0, "valid": 1} for k in range(40)]
     lines = [f"1 {s['left_pixel']:02x} 00" for s in stimulus]
     (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
-    simulator = Ghdl([*sorted((GENERATED_RTL / "tiny").glob("line_memory.vhd")), tmp_path / "stereo_core.vhd"], tmp_path / "sim")
+    simulator = Ghdl(
+        [*sorted((GENERATED_RTL / "tiny").glob("line_memory.vhd")), tmp_path / "stereo_core.vhd"], tmp_path / "sim"
+    )
     simulator.build()
     simulator.run(tmp_path / "stimulus.txt", tmp_path / "observed.txt", lambda clock: None, 60)
     observed, _ = vectors.read_observed(tmp_path / "observed.txt")

@@ -75,7 +75,9 @@ def run(command, cwd=None, log=None, passes_errors=False):
     on stderr becomes ours, and so does its exit code, unless it broke off.
     """
     command = [str(part) for part in command]
-    result = subprocess.run(command, cwd=cwd, text=True, errors="replace", capture_output=True, stdin=subprocess.DEVNULL)
+    result = subprocess.run(
+        command, cwd=cwd, text=True, errors="replace", capture_output=True, stdin=subprocess.DEVNULL
+    )
     if log is not None:
         Path(log).write_text(result.stdout + result.stderr)
     if result.returncode != 0:
@@ -97,16 +99,26 @@ def run_with_progress(command, on_line, watchdog_seconds, cwd=None):
     command = [str(part) for part in command]
     started = time.monotonic()
     tail = []
-    with subprocess.Popen(
-        command, cwd=cwd, text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT, bufsize=1,
-    ) as process, selectors.DefaultSelector() as selector:
+    with (
+        subprocess.Popen(
+            command,
+            cwd=cwd,
+            text=True,
+            errors="replace",
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            bufsize=1,
+        ) as process,
+        selectors.DefaultSelector() as selector,
+    ):
         selector.register(process.stdout, selectors.EVENT_READ)
         while True:
             if not selector.select(timeout=watchdog_seconds):
                 process.kill()
                 raise FlowError(
-                    f"{Path(command[0]).name} made no progress for {watchdog_seconds:g} s and was stopped", EXIT_TOOL_FAILED
+                    f"{Path(command[0]).name} made no progress for {watchdog_seconds:g} s and was stopped",
+                    EXIT_TOOL_FAILED,
                 )
             line = process.stdout.readline()
             if not line:
@@ -115,5 +127,8 @@ def run_with_progress(command, on_line, watchdog_seconds, cwd=None):
             on_line(line.strip())
         code = process.wait()
     if code != 0:
-        raise FlowError(f"{Path(command[0]).name} failed with exit code {code}{': ' if tail else ''}{' / '.join(tail)}", EXIT_TOOL_FAILED)
+        raise FlowError(
+            f"{Path(command[0]).name} failed with exit code {code}{': ' if tail else ''}{' / '.join(tail)}",
+            EXIT_TOOL_FAILED,
+        )
     return time.monotonic() - started

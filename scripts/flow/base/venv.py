@@ -29,8 +29,24 @@ def _install(folder, requirements, what):
     try:
         run([python, "-m", "venv", "--system-site-packages", folder], log=log)
     except FlowError:
-        raise FlowError(f"cannot make {folder}; on Debian: apt-get install python3-venv; see {log}", EXIT_MISSING_TOOL) from None
+        raise FlowError(
+            f"cannot make {folder}; on Debian: apt-get install python3-venv; see {log}", EXIT_MISSING_TOOL
+        ) from None
     try:
-        run([folder / "bin" / "python3", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", requirements], log=log)
+        run(
+            [
+                folder / "bin" / "python3",
+                "-m",
+                "pip",
+                "install",
+                "--quiet",
+                "--disable-pip-version-check",
+                "-r",
+                requirements,
+            ],
+            log=log,
+        )
     except FlowError:
-        raise FlowError(f"{what} is not installed and cannot be fetched from PyPI (offline?); see {log}", EXIT_MISSING_TOOL) from None
+        raise FlowError(
+            f"{what} is not installed and cannot be fetched from PyPI (offline?); see {log}", EXIT_MISSING_TOOL
+        ) from None

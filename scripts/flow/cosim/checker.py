@@ -83,7 +83,9 @@ def measure(stimulus, observed, configuration):
     """
     numbers = [o for o in observed if o.flags != "X"]
     starts = [o.clock for o in numbers if o.flags & 1]
-    outputs_per_frame = configuration["output_width_px"] * configuration["output_height_px"] // configuration["pixels_per_clock"]
+    outputs_per_frame = (
+        configuration["output_width_px"] * configuration["output_height_px"] // configuration["pixels_per_clock"]
+    )
     whole_frames = len(numbers) // outputs_per_frame
     first_input = next((clock for clock, (valid, start) in enumerate(stimulus) if valid and start), None)
     clocks = None

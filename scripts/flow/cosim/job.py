@@ -47,8 +47,26 @@ class Job:
 
 
 def make_vectors(job, directory):
-    command = [find_stereo_hls(), "vectors", "--config", job.config, "--left", job.left, "--right", job.right, "--frames", job.frames,
-               "--stall-percent", job.stall_percent, "--seed", job.seed, "--fit", job.fit, "--out", directory]
+    command = [
+        find_stereo_hls(),
+        "vectors",
+        "--config",
+        job.config,
+        "--left",
+        job.left,
+        "--right",
+        job.right,
+        "--frames",
+        job.frames,
+        "--stall-percent",
+        job.stall_percent,
+        "--seed",
+        job.seed,
+        "--fit",
+        job.fit,
+        "--out",
+        directory,
+    ]
     if job.rows is not None:
         command += ["--rows", job.rows]
     notices = run(command, passes_errors=True)
@@ -62,7 +80,11 @@ def run_job(job):
     if job.rows is not None and re.fullmatch("[1-9][0-9]*", job.rows):
         job = dataclasses.replace(job, rows=figures.middle_rows(parameters, int(job.rows)))
     _check_wave(job)
-    files = original_files(job.config) if job.simulator == "original" else manifest.vhdl_files(job.rtl or GENERATED_RTL / job.config)
+    files = (
+        original_files(job.config)
+        if job.simulator == "original"
+        else manifest.vhdl_files(job.rtl or GENERATED_RTL / job.config)
+    )
     out = job.out_directory()
     try:
         out.mkdir(parents=True, exist_ok=True)
@@ -75,16 +97,22 @@ def run_job(job):
     expected, _ = vectors.read_expected(expected_path)
 
     build_folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
-    simulator = SIMULATORS[job.simulator](files, build_folder, parameters["pixels_per_clock"], parameters["disparity_bits"], trace=job.wave is not None)
+    simulator = SIMULATORS[job.simulator](
+        files, build_folder, parameters["pixels_per_clock"], parameters["disparity_bits"], trace=job.wave is not None
+    )
     started = time.monotonic()
     print(f"{job.config}: building the {job.simulator} simulation ...", flush=True)
     simulator.build()
     build_seconds = time.monotonic() - started
 
     observed_path = out / "observed.txt"
-    with Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("clocks"), TimeRemainingColumn()) as bar:
+    with Progress(
+        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("clocks"), TimeRemainingColumn()
+    ) as bar:
         task = bar.add_task(f"{job.config} in {job.simulator}", total=len(stimulus))
-        seconds = simulator.run(stimulus_path, observed_path, lambda clock: bar.update(task, completed=clock), job.watchdog_seconds)
+        seconds = simulator.run(
+            stimulus_path, observed_path, lambda clock: bar.update(task, completed=clock), job.watchdog_seconds
+        )
         bar.update(task, completed=len(stimulus))
     observed, clocks = vectors.read_observed(observed_path)
     if clocks != len(stimulus):
@@ -116,9 +144,18 @@ def _explain(job, parameters, simulator, files, first, clocks):
             raise FlowError(f"it lies beyond clock {AUTOMATIC_WAVE_CLOCKS:,}; --wave FILE makes one")
         source = simulator
         if not isinstance(simulator, Ghdl):
-            source = Ghdl(files, SIMULATIONS / f"{job.config}-ghdl", parameters["pixels_per_clock"], parameters["disparity_bits"])
+            source = Ghdl(
+                files, SIMULATIONS / f"{job.config}-ghdl", parameters["pixels_per_clock"], parameters["disparity_bits"]
+            )
             source.build()
-        source.run(out / "stimulus.txt", out / "observed_wave.txt", lambda clock: None, job.watchdog_seconds, path.resolve(), window)
+        source.run(
+            out / "stimulus.txt",
+            out / "observed_wave.txt",
+            lambda clock: None,
+            job.watchdog_seconds,
+            path.resolve(),
+            window,
+        )
         (out / "observed_wave.txt").unlink(missing_ok=True)
 
     for line in mismatch.explain(out, parameters, first, clocks, dump, WAVE_CLOCKS_BEFORE, WAVE_CLOCKS_AFTER):
@@ -128,8 +165,13 @@ def _explain(job, parameters, simulator, files, first, clocks):
 def command(job):
     """The words that run a job again."""
     words = ["scripts/cosim.py", "--config", job.config, "--left", job.left, "--right", job.right]
-    for option, value, default in (("--rows", job.rows, None), ("--frames", job.frames, 1), ("--stall-percent", job.stall_percent, 0),
-                                   ("--fit", job.fit, "none"), ("--rtl", job.rtl, None)):
+    for option, value, default in (
+        ("--rows", job.rows, None),
+        ("--frames", job.frames, 1),
+        ("--stall-percent", job.stall_percent, 0),
+        ("--fit", job.fit, "none"),
+        ("--rtl", job.rtl, None),
+    ):
         words += [option, value] if value != default else []
     return shlex.join(str(word) for word in [*words, "--seed", job.seed, "--simulator", job.simulator])
 
@@ -168,7 +210,9 @@ def summary(report):
     if report["first_mismatch"]:
         text.append(f"  first mismatch: {report['first_mismatch']}")
     if interval:
-        text.append(f"  initiation interval min/avg/max {interval['min']}/{interval['avg']:.2f}/{interval['max']} clocks")
+        text.append(
+            f"  initiation interval min/avg/max {interval['min']}/{interval['avg']:.2f}/{interval['max']} clocks"
+        )
     if report["latency_clocks"] is not None:
         text.append(f"  latency {report['latency_clocks']} clocks from a window's last pixel pair to its disparity")
     if report["clocks_per_frame"]:
@@ -183,8 +227,12 @@ def summary(report):
 
 
 def write_junit(path, report, seconds):
-    suite = xml.Element("testsuite", name="cosim", tests="1", failures="0" if report["passed"] else "1", time=f"{seconds:.3f}")
-    case = xml.SubElement(suite, "testcase", classname=f"cosim.{report['simulator']}", name=report["config"], time=f"{seconds:.3f}")
+    suite = xml.Element(
+        "testsuite", name="cosim", tests="1", failures="0" if report["passed"] else "1", time=f"{seconds:.3f}"
+    )
+    case = xml.SubElement(
+        suite, "testcase", classname=f"cosim.{report['simulator']}", name=report["config"], time=f"{seconds:.3f}"
+    )
     if not report["passed"]:
         message = report["first_mismatch"] or "nothing was compared"
         xml.SubElement(case, "failure", message=message).text = summary(report)
@@ -194,7 +242,9 @@ def write_junit(path, report, seconds):
 def _check_wave(job):
     allowed = SIMULATORS[job.simulator].wave_suffixes
     if job.wave is not None and Path(job.wave).suffix not in allowed:
-        raise FlowError(f"--wave with {job.simulator} takes a name that ends in {' or '.join(allowed)}, not {Path(job.wave).name}")
+        raise FlowError(
+            f"--wave with {job.simulator} takes a name that ends in {' or '.join(allowed)}, not {Path(job.wave).name}"
+        )
     if job.wave is not None:
         try:
             Path(job.wave).resolve().parent.mkdir(parents=True, exist_ok=True)
@@ -205,7 +255,9 @@ def _check_wave(job):
 def _dump_wave(job, simulator, stimulus_path, out, verdict, clocks):
     """Second run with a dump: around the first mismatch, or the first clocks when there is none."""
     first = verdict.first_mismatch
-    window = mismatch.window(first.clock if first else WAVE_CLOCKS_BEFORE, clocks, WAVE_CLOCKS_BEFORE, WAVE_CLOCKS_AFTER)
+    window = mismatch.window(
+        first.clock if first else WAVE_CLOCKS_BEFORE, clocks, WAVE_CLOCKS_BEFORE, WAVE_CLOCKS_AFTER
+    )
     wave = Path(job.wave).resolve()
     simulator.run(stimulus_path, out / "observed_wave.txt", lambda clock: None, job.watchdog_seconds, wave, window)
     (out / "observed_wave.txt").unlink()

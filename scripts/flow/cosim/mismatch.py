@@ -61,13 +61,17 @@ class Frame:
         if o.clock != e.clock:
             self.clocks[e.x, e.y + lane] = o.clock
         group_differs = o.clock != e.clock or (o.flags ^ e.flags) & 3
-        self.wrong[at] = group_differs or self.got[at] != self.expected[at] or self.got_valid[at] != self.expected_valid[at]
+        self.wrong[at] = (
+            group_differs or self.got[at] != self.expected[at] or self.got_valid[at] != self.expected_valid[at]
+        )
 
     def _value(self, word, lane):
         return word >> (self.bits * lane) & ((1 << self.bits) - 1)
 
     def text(self, x, y, got):
-        value, valid = (self.got[y, x], self.got_valid[y, x]) if got else (self.expected[y, x], self.expected_valid[y, x])
+        value, valid = (
+            (self.got[y, x], self.got_valid[y, x]) if got else (self.expected[y, x], self.expected_valid[y, x])
+        )
         if value < 0:
             return "nothing"
         number = f"{value / 16:g}" if self.bits == 16 else str(value)
@@ -79,9 +83,24 @@ class Frame:
         height, width = self.wrong.shape
         columns = range(max(x - COLUMNS_AROUND, 0), min(x + COLUMNS_AROUND + 1, width))
         rows = range(max(y - ROWS_AROUND, 0), min(y + ROWS_AROUND + 1, height))
-        return {"columns": columns, "rows": [{"y": row, "cells": [
-            {"expected": self.text(column, row, False), "got": self.text(column, row, True), "wrong": bool(self.wrong[row, column]), "first": (column, row) == (x, y)}
-            for column in columns]} for row in rows]}
+        return {
+            "columns": columns,
+            "rows": [
+                {
+                    "y": row,
+                    "cells": [
+                        {
+                            "expected": self.text(column, row, False),
+                            "got": self.text(column, row, True),
+                            "wrong": bool(self.wrong[row, column]),
+                            "first": (column, row) == (x, y),
+                        }
+                        for column in columns
+                    ],
+                }
+                for row in rows
+            ],
+        }
 
 
 def _pictures(frame, parameters, simulator, mark):
@@ -96,14 +115,30 @@ def _pictures(frame, parameters, simulator, mark):
         colors = numpy.where((values < 0)[..., None], pictures.blank(width, height), colors)
         legend = [(pictures.REJECTED, "pixel_valid is 0", None)] if not valid.all() else []
         legend += [(pictures.NO_RANGE[1], "nothing, or no number", None)] if (values < 0).any() else []
-        return pictures.Picture(title, pictures.png(colors.astype(numpy.uint8)), caption, width, height, pictures.scale_labels(low, high), tuple(legend), mark)
+        return pictures.Picture(
+            title,
+            pictures.png(colors.astype(numpy.uint8)),
+            caption,
+            width,
+            height,
+            pictures.scale_labels(low, high),
+            tuple(legend),
+            mark,
+        )
 
     difference = numpy.where(frame.wrong[..., None], pictures.rgb(DIFFERS), pictures.rgb(SAME)).astype(numpy.uint8)
     share = page.percent(int(frame.wrong.sum()), frame.wrong.size)
-    legend = ((DIFFERS, f"differs, {int(frame.wrong.sum()):,} of {frame.wrong.size:,} pixels", share), (SAME, "the same", 100 - share))
-    return [picture("Expected", frame.expected, frame.expected_valid, f"The C++ core, frame {frame.frame}."),
-            picture("Got", frame.got, frame.got_valid, f"The VHDL in {simulator}."),
-            pictures.Picture("Difference", pictures.png(difference), "Disparity, flags or clock.", width, height, (), legend, mark)]
+    legend = (
+        (DIFFERS, f"differs, {int(frame.wrong.sum()):,} of {frame.wrong.size:,} pixels", share),
+        (SAME, "the same", 100 - share),
+    )
+    return [
+        picture("Expected", frame.expected, frame.expected_valid, f"The C++ core, frame {frame.frame}."),
+        picture("Got", frame.got, frame.got_valid, f"The VHDL in {simulator}."),
+        pictures.Picture(
+            "Difference", pictures.png(difference), "Disparity, flags or clock.", width, height, (), legend, mark
+        ),
+    ]
 
 
 def _place(first):
@@ -124,15 +159,31 @@ def read(folder, parameters):
     if first is None:
         return None
     place = _place(first)
-    frame = Frame(expected, observed, first.expected.frame if first.expected else expected[-1].frame, parameters["pixels_per_clock"], bits)
+    frame = Frame(
+        expected,
+        observed,
+        first.expected.frame if first.expected else expected[-1].frame,
+        parameters["pixels_per_clock"],
+        bits,
+    )
     mark = None
     if place:
         mark = 100 * (place[0] + 0.5) / frame.wrong.shape[1], 100 * (place[1] + 0.5) / frame.wrong.shape[0]
-    wave, notes = None, ["In brackets: pixel_valid is 0."] if not (frame.expected_valid.all() and frame.got_valid.all()) else []
+    wave, notes = (
+        None,
+        ["In brackets: pixel_valid is 0."] if not (frame.expected_valid.all() and frame.got_valid.all()) else [],
+    )
     if (folder / DUMP).is_file():
         wave, note = _wave(folder, report, first)
         notes += note
-    return Failure(report, str(first), notes, _pictures(frame, parameters, report["simulator"], mark), frame.around(*place) if place else None, wave)
+    return Failure(
+        report,
+        str(first),
+        notes,
+        _pictures(frame, parameters, report["simulator"], mark),
+        frame.around(*place) if place else None,
+        wave,
+    )
 
 
 def window(clock, clocks, before, after):
@@ -161,7 +212,10 @@ def write_page(folder, parameters):
         return None
     if failure.wave:
         files.write(folder / SAVE, waveform.save_file(folder / DUMP, failure.wave.clock))
-    files.write(folder / PAGE, page.render("failure.html.j2", failure=failure, report=failure.report, scale=pictures.scale_png()))
+    files.write(
+        folder / PAGE,
+        page.render("failure.html.j2", failure=failure, report=failure.report, scale=pictures.scale_png()),
+    )
     return folder / PAGE
 
 
@@ -182,5 +236,7 @@ def explain(folder, parameters, first, clocks, dump, before, after):
     except FlowError as error:
         return [*lines, f"  no page of the mismatch: {error}"]
     if (folder / SAVE).is_file():
-        lines.append(f"  waveform around the mismatch: {shlex.join(['gtkwave', str(folder / DUMP), str(folder / SAVE)])}")
+        lines.append(
+            f"  waveform around the mismatch: {shlex.join(['gtkwave', str(folder / DUMP), str(folder / SAVE)])}"
+        )
     return [*lines, f"  both maps, the first pixel that differs and its signals: {folder / PAGE}"]

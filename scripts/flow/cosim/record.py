@@ -9,7 +9,15 @@ from ..synthesis import manifest
 
 FILE = "cosimulation.json"
 FORMAT = "stereo-hls cosimulation 1"
-_KEPT = {"command": str, "passed": bool, "expected": int, "compared": int, "mismatches": int, "frames": int, "clocks": int}
+_KEPT = {
+    "command": str,
+    "passed": bool,
+    "expected": int,
+    "compared": int,
+    "mismatches": int,
+    "frames": int,
+    "clocks": int,
+}
 
 
 def keep(report):
@@ -29,6 +37,8 @@ def read(directory, entry):
         return {}
     runs = content.get("runs")
     if not isinstance(runs, dict) or not all(
-            isinstance(run, dict) and all(isinstance(run.get(key), kind) for key, kind in _KEPT.items()) for run in runs.values()):
+        isinstance(run, dict) and all(isinstance(run.get(key), kind) for key, kind in _KEPT.items())
+        for run in runs.values()
+    ):
         raise json_files.damaged(path, FORMAT)
     return runs if content.get("vhdl_digest") == entry["files"] else {}

@@ -86,8 +86,16 @@ class Ghdl(Simulator):
         run([ghdl, "-e", GHDL_STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
 
     def _command(self, stimulus, observed, wave, wave_clocks):
-        command = [find_ghdl(), "-r", GHDL_STANDARD, "tb_stereo_core", f"-gpixels={self.pixels}", f"-gdisparity_bits={self.disparity_bits}",
-                   f"-gstimulus_file={stimulus}", f"-gobserved_file={observed}"]
+        command = [
+            find_ghdl(),
+            "-r",
+            GHDL_STANDARD,
+            "tb_stereo_core",
+            f"-gpixels={self.pixels}",
+            f"-gdisparity_bits={self.disparity_bits}",
+            f"-gstimulus_file={stimulus}",
+            f"-gobserved_file={observed}",
+        ]
         if wave is not None:
             # GHDL always dumps from the start; the stop time bounds the end.
             option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]
@@ -161,7 +169,13 @@ class Verilator(Simulator):
         return [BENCH / "verilator_bench.cpp"]
 
     def _build(self):
-        verilate(self.work, self.vhdl_files, "stereo_core", self._bench_files(), options=["--trace-fst"] if self.trace else [])
+        verilate(
+            self.work,
+            self.vhdl_files,
+            "stereo_core",
+            self._bench_files(),
+            options=["--trace-fst"] if self.trace else [],
+        )
 
     def _command(self, stimulus, observed, wave, wave_clocks):
         command = [verilated_bench(self.work), stimulus, observed]
@@ -176,9 +190,33 @@ def verilate(work, vhdl_files, top, bench_files, generics=None, options=()):
     source = work / f"{top}.v"
     source.write_text(to_verilog(vhdl_files, work, top, generics))
     run(
-        [verilator, "--cc", "--exe", "--build", "-j", os.cpu_count() or 1, "-O3", "--x-assign", "fast", "--output-split", "20000",
-         "-Wno-fatal", *options, "-CFLAGS", "-O2", "--top-module", top, "--Mdir", work / "model", "-o", "bench", source, *bench_files],
-        cwd=work, log=work / "verilator.log",
+        [
+            verilator,
+            "--cc",
+            "--exe",
+            "--build",
+            "-j",
+            os.cpu_count() or 1,
+            "-O3",
+            "--x-assign",
+            "fast",
+            "--output-split",
+            "20000",
+            "-Wno-fatal",
+            *options,
+            "-CFLAGS",
+            "-O2",
+            "--top-module",
+            top,
+            "--Mdir",
+            work / "model",
+            "-o",
+            "bench",
+            source,
+            *bench_files,
+        ],
+        cwd=work,
+        log=work / "verilator.log",
     )
 
 

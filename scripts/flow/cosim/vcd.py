@@ -65,7 +65,9 @@ class Values:
         try:
             lines = path.read_text(encoding="ascii").splitlines()
         except (OSError, UnicodeDecodeError) as error:
-            raise FlowError(f"{path}: {getattr(error, 'strerror', None) or 'not a value change dump'}", EXIT_TOOL_FAILED) from None
+            raise FlowError(
+                f"{path}: {getattr(error, 'strerror', None) or 'not a value change dump'}", EXIT_TOOL_FAILED
+            ) from None
         body = self._read_names(lines)
         now = 0
         for line in lines[body:]:

@@ -40,7 +40,9 @@ def read_lines(path):
     try:
         return Path(path).read_text(encoding="ascii").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise FlowError(f"cannot read vector file {path}: {getattr(error, 'strerror', None) or 'not a text file'}") from None
+        raise FlowError(
+            f"cannot read vector file {path}: {getattr(error, 'strerror', None) or 'not a text file'}"
+        ) from None
 
 
 def _read_header(path, lines, kind, count_key):
@@ -80,7 +82,9 @@ def read_expected(path):
     for number, line in enumerate(lines[1:], 2):
         match = pattern.fullmatch(line)
         if not match:
-            raise FlowError(f"{path}, line {number}: '{line}' is not 'clock x y frame DISPARITY flags' with {digits} digits")
+            raise FlowError(
+                f"{path}, line {number}: '{line}' is not 'clock x y frame DISPARITY flags' with {digits} digits"
+            )
         clock, x, y, frame, disparity, flags = match.groups()
         outputs.append(Expected(int(clock), int(x), int(y), int(frame), int(disparity, 16), int(flags)))
     if not re.fullmatch(NUMBER, header.get("latency", "")):

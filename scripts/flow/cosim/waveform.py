@@ -46,8 +46,10 @@ def start_ns(clock):
 def _groups(values):
     """[(group of GROUPS, names that the dump has)], without the empty ones."""
     core = [name for name in values.names if name.startswith(CORE)]
-    found = [(group, [name for name in core if re.fullmatch(group[1], name[len(CORE):])]) for group in GROUPS]
-    return [(group, sorted(names, key=_natural) if group[0].startswith("w") else names) for group, names in found if names]
+    found = [(group, [name for name in core if re.fullmatch(group[1], name[len(CORE) :])]) for group in GROUPS]
+    return [
+        (group, sorted(names, key=_natural) if group[0].startswith("w") else names) for group, names in found if names
+    ]
 
 
 def _natural(name):
@@ -58,15 +60,27 @@ def _natural(name):
 def save_file(dump, clock):
     """The text of a .gtkw for a dump, with a marker where the clock begins."""
     values = Values(dump)
-    lines = ["[*] Made by scripts/cosim.py", f'[dumpfile] "{dump.name}"', f"[timestart] {max(start_ns(clock) - 18 * CLOCK_NS, 0)}", "[size] 1600 900",
-             "[sst_width] 220", "[signals_width] 370", f"*{_ZOOM} {start_ns(clock)}" + " -1" * 26, "@28", f"{CORE}clock"]
+    lines = [
+        "[*] Made by scripts/cosim.py",
+        f'[dumpfile] "{dump.name}"',
+        f"[timestart] {max(start_ns(clock) - 18 * CLOCK_NS, 0)}",
+        "[size] 1600 900",
+        "[sst_width] 220",
+        "[signals_width] 370",
+        f"*{_ZOOM} {start_ns(clock)}" + " -1" * 26,
+        "@28",
+        f"{CORE}clock",
+    ]
     for (title, _, _, is_open), names in _groups(values):
         begin, end = _OPEN if is_open else _CLOSED
         lines += [begin, f"-{title}"]
         for name in names:
-            short = name[len(CORE):]
+            short = name[len(CORE) :]
             pixels = short in ("left_pixel", "right_pixel", "disparity")
-            lines += [f"@{_HEXADECIMAL if pixels else _BINARY if values.bits(name) == 1 else _DECIMAL}", values.label(name)]
+            lines += [
+                f"@{_HEXADECIMAL if pixels else _BINARY if values.bits(name) == 1 else _DECIMAL}",
+                values.label(name),
+            ]
         lines += [end, f"-{title}"]
     return "\n".join(lines) + "\n"
 
@@ -77,7 +91,15 @@ def table(dump, clock, simulator, command, first, last):
     groups = []
     for (title, _, on_page, _), names in _groups(values):
         if on_page:
-            groups.append({"title": title, "signals": [(name[len(CORE):], [_shown(values.at(name, start_ns(c)), values.bits(name)) for c in clocks]) for name in names]})
+            groups.append(
+                {
+                    "title": title,
+                    "signals": [
+                        (name[len(CORE) :], [_shown(values.at(name, start_ns(c)), values.bits(name)) for c in clocks])
+                        for name in names
+                    ],
+                }
+            )
     return Table(simulator, clock, first, last, clocks, groups, command)
 
 

@@ -9,7 +9,7 @@ def clocks_per_frame(parameters):
 
 
 def middle_rows(parameters, least):
-    """"A:B", the fewest rows around the middle, `least` or more, that give an output; None when only the whole frame does."""
+    """ "A:B", the fewest rows around the middle, `least` or more, that give an output; None when only the whole frame does."""
     lanes, height = parameters["pixels_per_clock"], parameters["height_px"]
     groups = max(-(-least // lanes), -(-parameters["groups_to_first_output"] // parameters["width_px"]))
     rows = groups * lanes
@@ -32,7 +32,11 @@ def speed(parameters, fmax_mhz, luts):
     """Frames a second, million disparity evaluations a second, and evaluations a second for each LUT."""
     frames = fmax_mhz * 1e6 / clocks_per_frame(parameters)
     evaluations = frames * evaluations_per_frame(parameters)
-    return {"frames_per_second": frames, "mde_per_second": evaluations / 1e6, "evaluations_per_second_per_lut": evaluations / luts}
+    return {
+        "frames_per_second": frames,
+        "mde_per_second": evaluations / 1e6,
+        "evaluations_per_second_per_lut": evaluations / luts,
+    }
 
 
 def lut_count(result):

@@ -57,7 +57,12 @@ def merge(out, entry, target, result):
     """Adds one target's result to implementation.json. Results of other targets stay when they are of the same VHDL."""
     before = read(out)
     if before is None or not is_fresh(before, entry):
-        before = {"format": FORMAT, "configuration": entry["configuration"], "vhdl_digest": entry["files"], "targets": {}}
+        before = {
+            "format": FORMAT,
+            "configuration": entry["configuration"],
+            "vhdl_digest": entry["files"],
+            "targets": {},
+        }
     before["targets"][target] = result
     files.write(Path(out) / FILE, json.dumps(before, indent=2, sort_keys=True) + "\n")
 
@@ -110,14 +115,23 @@ def run_job(job):
     files, entry = manifest.vhdl_files(job.rtl), manifest.read(job.rtl)
     check_writable(job.out)
     all_lost = []
-    with Progress(SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TextColumn("steps"), TimeElapsedColumn()) as bar:
+    with Progress(
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("steps"),
+        TimeElapsedColumn(),
+    ) as bar:
         for name in job.targets:
             result, lost = implement_target(job, yosys.TARGETS[name], files, bar)
             merge(job.out, entry, name, result)
             bar.console.print(summary(job.config, name, entry["parameters"], result), highlight=False, soft_wrap=True)
             all_lost += [f"{memory} on {name}" for memory in lost]
     if all_lost:
-        raise FlowError(f"{job.config}: a memory became flip-flops instead of RAM: {', '.join(all_lost)}", EXIT_MISMATCH)
+        raise FlowError(
+            f"{job.config}: a memory became flip-flops instead of RAM: {', '.join(all_lost)}", EXIT_MISMATCH
+        )
     return EXIT_OK
 
 

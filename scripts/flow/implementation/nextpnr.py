@@ -36,8 +36,24 @@ def version(nextpnr, work):
 def route(nextpnr, seed, work):
     """Places and routes netlist.json in the folder `work` with one seed. Returns nextpnr's report."""
     report, log = Path(work) / f"report_{seed}.json", Path(work) / f"nextpnr_{seed}.log"
-    run([nextpnr, *DEVICE_OPTIONS, "--json", "netlist.json", "--lpf-allow-unconstrained", "--timing-allow-fail", "--seed", seed,
-         "--freq", FREQUENCY_MHZ, "--report", report.name], cwd=work, log=log)
+    run(
+        [
+            nextpnr,
+            *DEVICE_OPTIONS,
+            "--json",
+            "netlist.json",
+            "--lpf-allow-unconstrained",
+            "--timing-allow-fail",
+            "--seed",
+            seed,
+            "--freq",
+            FREQUENCY_MHZ,
+            "--report",
+            report.name,
+        ],
+        cwd=work,
+        log=log,
+    )
     try:
         return check(json.loads(report.read_text()))
     except (OSError, ValueError, KeyError) as error:
@@ -84,7 +100,9 @@ def register_names(verilog, netlist):
         for wire in (name, register):
             for bit in module["netnames"].get(wire, {"bits": []})["bits"]:
                 owner.setdefault(bit, name)
-    flip_flops = {name: cell["connections"]["Q"][0] for name, cell in module["cells"].items() if cell["type"] == "TRELLIS_FF"}
+    flip_flops = {
+        name: cell["connections"]["Q"][0] for name, cell in module["cells"].items() if cell["type"] == "TRELLIS_FF"
+    }
     return {name: owner[bit] for name, bit in flip_flops.items() if bit in owner}
 
 

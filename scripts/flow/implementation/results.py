@@ -21,7 +21,10 @@ class Configuration:
         if self.stale and stale_is_none:
             result = None
         elif self.stale:
-            raise FlowError(f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}", EXIT_MISMATCH)
+            raise FlowError(
+                f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}",
+                EXIT_MISMATCH,
+            )
         self.targets = result["targets"] if result else {}
         self.cosimulations = cosim_record.read(GENERATED_RTL / name, self.manifest)
 
@@ -35,4 +38,9 @@ class Configuration:
         if not routed:
             return {}
         median = routed["fmax_mhz"]["median"]
-        return {"median": median, "best": routed["fmax_mhz"]["best"], "path": routed["critical_path"], **figures.speed(self.parameters, median, figures.lut_count(routed))}
+        return {
+            "median": median,
+            "best": routed["fmax_mhz"]["best"],
+            "path": routed["critical_path"],
+            **figures.speed(self.parameters, median, figures.lut_count(routed)),
+        }

@@ -41,15 +41,37 @@ TARGETS = {
         # A carry cell takes both LUTs of its half slice. A 16x4 RAM takes 4 LUTs in two slices for its data and the 2 LUTs
         # of a third slice for its write port; nextpnr counts the same ("RAM LUTs", "RAMW LUTs"). PFUMX and L6MUX21 are
         # multiplexers beside the LUTs.
-        Target("ecp5", f"synth_ecp5 -abc9 -top {TOP}", "map_ram", "LUT4", {"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6},
-               ("TRELLIS_FF",), ("DP16KD",), "LFE5U-85F-8BG756"),
+        Target(
+            "ecp5",
+            f"synth_ecp5 -abc9 -top {TOP}",
+            "map_ram",
+            "LUT4",
+            {"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6},
+            ("TRELLIS_FF",),
+            ("DP16KD",),
+            "LFE5U-85F-8BG756",
+        ),
         # An inverter that is left over takes an ALUT. One MISTRAL_MLAB is 32x1 bits, the memory of one ALUT.
-        Target("cyclonev", f"synth_intel_alm -family cyclonev -top {TOP}", "map_bram", "ALUT",
-               {"MISTRAL_ALUT": 1, "MISTRAL_NOT": 1, "MISTRAL_MLAB": 1}, ("MISTRAL_FF",), ("MISTRAL_M10K",), prepare=FOLDED),
+        Target(
+            "cyclonev",
+            f"synth_intel_alm -family cyclonev -top {TOP}",
+            "map_bram",
+            "ALUT",
+            {"MISTRAL_ALUT": 1, "MISTRAL_NOT": 1, "MISTRAL_MLAB": 1},
+            ("MISTRAL_FF",),
+            ("MISTRAL_M10K",),
+            prepare=FOLDED,
+        ),
         # LUT6. CARRY4 and MUXF7/8 stand beside the LUTs. INV is counted, though a later tool may fold some of them.
-        Target("xc7", f"synth_xilinx -abc9 -family xc7 -top {TOP} -flatten", "map_memory", "LUT6",
-               {"LUT": 1, "INV": 1, "RAM32M": 4, "RAM64M": 4, "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4, "SRL": 1},
-               ("FDRE", "FDSE", "FDCE", "FDPE"), ("RAMB18E1", "RAMB36E1")),
+        Target(
+            "xc7",
+            f"synth_xilinx -abc9 -family xc7 -top {TOP} -flatten",
+            "map_memory",
+            "LUT6",
+            {"LUT": 1, "INV": 1, "RAM32M": 4, "RAM64M": 4, "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4, "SRL": 1},
+            ("FDRE", "FDSE", "FDCE", "FDPE"),
+            ("RAMB18E1", "RAMB36E1"),
+        ),
     )
 }
 
@@ -71,16 +93,21 @@ def script(target):
     synthesis = target.synthesis
     # Only nextpnr reads a netlist.
     netlist = "; write_json netlist.json" if target.device else ""
-    return "\n".join([
-        f"read_verilog {TOP}.v",
-        target.prepare,
-        f"{synthesis} -run begin:{target.map_memories}",
-        "tee -q -o memories.txt dump t:$mem_v2",
-        f"{synthesis} -run {target.map_memories}:map_ffram",
-        "tee -q -o unmapped.txt dump t:$mem_v2",
-        f"{synthesis} -run map_ffram:",
-        f"tee -q -o stat.json stat -json{netlist}",
-    ]) + "\n"
+    return (
+        "\n".join(
+            [
+                f"read_verilog {TOP}.v",
+                target.prepare,
+                f"{synthesis} -run begin:{target.map_memories}",
+                "tee -q -o memories.txt dump t:$mem_v2",
+                f"{synthesis} -run {target.map_memories}:map_ffram",
+                "tee -q -o unmapped.txt dump t:$mem_v2",
+                f"{synthesis} -run map_ffram:",
+                f"tee -q -o stat.json stat -json{netlist}",
+            ]
+        )
+        + "\n"
+    )
 
 
 def synthesize(target, verilog, work):
@@ -94,14 +121,21 @@ def synthesize(target, verilog, work):
         memories = read_memories((work / "memories.txt").read_text())
         lost = read_memories((work / "unmapped.txt").read_text())
     except (OSError, ValueError, KeyError) as error:
-        raise FlowError(f"yosys wrote no usable statistics ({error}); see {work / 'yosys.log'}", EXIT_TOOL_FAILED) from None
+        raise FlowError(
+            f"yosys wrote no usable statistics ({error}); see {work / 'yosys.log'}", EXIT_TOOL_FAILED
+        ) from None
     return area(target, cells, sum(memories.values()), bool(lost)), sorted(lost)
 
 
 def area(target, cells, memory_bits, memory_in_flip_flops):
     def total(weights):
         # The longest beginning that fits counts: MISTRAL_ALUT also stands for MISTRAL_ALUT2 ... 6 and _ARITH.
-        return sum(count * weight for name, count in cells.items() for start, weight in weights.items() if name.startswith(start))
+        return sum(
+            count * weight
+            for name, count in cells.items()
+            for start, weight in weights.items()
+            if name.startswith(start)
+        )
 
     return {
         "aluts" if target.lut_name == "ALUT" else "luts": total(target.luts),
@@ -118,6 +152,9 @@ def read_memories(dump):
     found = {}
     for cell in re.split(r"^  cell \$mem_v2 ", dump, flags=re.MULTILINE)[1:]:
         name = cell.split(None, 1)[0].removeprefix("\\")
-        size, width = (int(re.search(rf"parameter (?:signed )?\\{key} (\d+)$", cell, re.MULTILINE).group(1)) for key in ("SIZE", "WIDTH"))
+        size, width = (
+            int(re.search(rf"parameter (?:signed )?\\{key} (\d+)$", cell, re.MULTILINE).group(1))
+            for key in ("SIZE", "WIDTH")
+        )
         found[name] = size * width
     return found

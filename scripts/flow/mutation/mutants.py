@@ -27,7 +27,9 @@ RULES = (
     ("constant", r"\bfalse\b", "true"),
 )
 ASSIGNMENT = re.compile(r"^ +\w+(\([\w ]+\))? (<=|:=) [^;]+;$")
-SKIPPED = re.compile(r"^ *(--|library|use |entity|end|port|generic|signal .*;|subtype|type |for |procedure)|: (in|out) |return (natural|std_logic)")
+SKIPPED = re.compile(
+    r"^ *(--|library|use |entity|end|port|generic|signal .*;|subtype|type |for |procedure)|: (in|out) |return (natural|std_logic)"
+)
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,11 @@ def _changes(line, names):
     for kind, pattern, replacement in RULES:
         for match in re.finditer(pattern, code):
             new = match.expand(replacement) if isinstance(replacement, str) else replacement(match)
-            yield kind, f"column {match.start()}: {match.group().strip()} -> {new.strip()}", code[: match.start()] + new + code[match.end() :]
+            yield (
+                kind,
+                f"column {match.start()}: {match.group().strip()} -> {new.strip()}",
+                code[: match.start()] + new + code[match.end() :],
+            )
     for old, new, text in _sibling_indices(code, names):
         yield "index", f"{old} -> {new}", text
     if ASSIGNMENT.match(code) and " when " not in code:

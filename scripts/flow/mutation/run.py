@@ -33,7 +33,12 @@ SHELL_STAGES = (
     (CONFIG, "test_registers", None, {}),
     (CONFIG, "test_stereo_ip", None, {}),
     (CONFIG, "test_stereo_ip", ["full_speed", "gaps_of_all_lengths", "mixture"], {"gap_groups": 33}),
-    (CONFIG, "test_stereo_ip", ["full_speed", "gaps_of_all_lengths", "mixture"], {"gap_groups": 40, "flush_groups": 60}),
+    (
+        CONFIG,
+        "test_stereo_ip",
+        ["full_speed", "gaps_of_all_lengths", "mixture"],
+        {"gap_groups": 40, "flush_groups": 60},
+    ),
     (CONFIG, "test_generics", ["wrong_latency"], {"latency_clocks": 14}),
     (CONFIG, "test_generics", ["wrong_latency"], {"latency_clocks": 16}),
     (CONFIG, "test_generics", ["starts_disabled"], {"enabled_at_reset": "false"}),
@@ -78,9 +83,32 @@ class Core:
             generator = random.Random(number)
             for side in ("left", "right"):
                 pool.write_noise(folder / f"{side}.pgm", self.parameters, generator, levels, distance)
-            run([find_stereo_hls(), "vectors", "--config", CONFIG, "--left", folder / "left.pgm", "--right", folder / "right.pgm", "--frames",
-                 2, "--stall-percent", stalls, "--out", folder], passes_errors=True)
-            self.runs.append((folder, len(vectors.read_stimulus(folder / "stimulus.txt")), vectors.read_expected(folder / "expected.txt")[0]))
+            run(
+                [
+                    find_stereo_hls(),
+                    "vectors",
+                    "--config",
+                    CONFIG,
+                    "--left",
+                    folder / "left.pgm",
+                    "--right",
+                    folder / "right.pgm",
+                    "--frames",
+                    2,
+                    "--stall-percent",
+                    stalls,
+                    "--out",
+                    folder,
+                ],
+                passes_errors=True,
+            )
+            self.runs.append(
+                (
+                    folder,
+                    len(vectors.read_stimulus(folder / "stimulus.txt")),
+                    vectors.read_expected(folder / "expected.txt")[0],
+                )
+            )
 
     def noticed(self, files, folder):
         simulator = Ghdl(files, folder / "core", self.parameters["pixels_per_clock"], self.parameters["disparity_bits"])
@@ -127,8 +155,15 @@ class Shell:
             simulation = cocotb_runs.Ghdl(config, folder / f"shell_{config}", [*cores, *shell], generics)
             simulation.build()
             try:
-                results = simulation.run(module, 1, folder / f"stage_{number}", tests, watchdog_seconds=WATCHDOG_SECONDS,
-                                         pool_folder=self.pools[config], stop_at_failure=True)
+                results = simulation.run(
+                    module,
+                    1,
+                    folder / f"stage_{number}",
+                    tests,
+                    watchdog_seconds=WATCHDOG_SECONDS,
+                    pool_folder=self.pools[config],
+                    stop_at_failure=True,
+                )
             except FlowError as error:
                 return f"{module}: {str(error).rpartition(' / ')[2]}"
             failed = [result.name for result in results if not result.passed]
@@ -142,10 +177,19 @@ class EarlierVerdicts:
 
     def __init__(self):
         judges = (broken, checker, cocotb_runs, contract, formal, mutants, pool, script, simulators, vectors)
-        tests = [*sorted((ROOT / "hls_tb" / "axi").glob("*.py")), *sorted((ROOT / "hls_tb" / "formal").iterdir()),
-                 *(Path(module.__file__) for module in judges)]
+        tests = [
+            *sorted((ROOT / "hls_tb" / "axi").glob("*.py")),
+            *sorted((ROOT / "hls_tb" / "formal").iterdir()),
+            *(Path(module.__file__) for module in judges),
+        ]
         others = manifest.vhdl_files(GENERATED_RTL / CONFIG_OF_SHORT_FRAMES)
-        sources = [*core_files(), *design.shell_files(), *others, Path(__file__), *(path for path in tests if path.name != "diagrams.py")]
+        sources = [
+            *core_files(),
+            *design.shell_files(),
+            *others,
+            Path(__file__),
+            *(path for path in tests if path.name != "diagrams.py"),
+        ]
         digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
         WORK.mkdir(parents=True, exist_ok=True)
         self.path = WORK / f"verdicts_{digest}.jsonl"
@@ -157,7 +201,12 @@ class EarlierVerdicts:
         return Verdict(mutant, entry["outcome"], entry["by"], entry["seconds"]) if entry else None
 
     def keep(self, verdict):
-        entry = {"key": verdict.mutant.key, "outcome": verdict.outcome, "by": verdict.by, "seconds": round(verdict.seconds, 1)}
+        entry = {
+            "key": verdict.mutant.key,
+            "outcome": verdict.outcome,
+            "by": verdict.by,
+            "seconds": round(verdict.seconds, 1),
+        }
         with self.path.open("a") as file:
             file.write(json.dumps(entry) + "\n")
 
@@ -177,14 +226,20 @@ class Run:
         folder = WORK / "mutants" / f"{'core' if is_core else 'shell'}_{number}"
         shutil.rmtree(folder, ignore_errors=True)
         changed = mutants.write(mutant, folder / "rtl")
-        core, shell = ([changed if path.name == changed.name else path for path in files]
-                       for files in (core_files(), design.shell_files()))
+        core, shell = (
+            [changed if path.name == changed.name else path for path in files]
+            for files in (core_files(), design.shell_files())
+        )
         (folder / "compile").mkdir()
         started = time.monotonic()
         if not compiles([*core, *shell], folder / "compile"):
             return Verdict(mutant, "invalid")
         if is_core:
-            by = refuted(mutant, folder) or self.core.noticed(core, folder) or self.core_in_shell.noticed(core, shell, folder)
+            by = (
+                refuted(mutant, folder)
+                or self.core.noticed(core, folder)
+                or self.core_in_shell.noticed(core, shell, folder)
+            )
         else:
             by = refuted(mutant, folder) or self.shell.noticed(core, shell, folder)
         shutil.rmtree(folder, ignore_errors=True)
@@ -220,7 +275,10 @@ class Run:
 
     def run(self):
         self.number, self.started = 0, {True: 0, False: 0}
-        for is_core, files, count in ((True, core_files(), self.counts[0]), (False, design.shell_files(), self.counts[1])):
+        for is_core, files, count in (
+            (True, core_files(), self.counts[0]),
+            (False, design.shell_files(), self.counts[1]),
+        ):
             stream = mutants.shuffled(files, self.seed)
             with ThreadPoolExecutor(self.jobs) as workers:
                 for future in [workers.submit(self._next, stream, is_core, count) for _ in range(self.jobs)]:
@@ -233,20 +291,41 @@ class Run:
             raise FlowError("no mutant compiled", EXIT_TOOL_FAILED)
         survived = [v.mutant.key for v in self.verdicts if v.outcome == "survived"]
         open_ones = sorted(key for key in survived if key not in self.explanations)
-        wrong = sorted(v.mutant.key for v in self.verdicts if v.outcome == "killed" and v.mutant.key in self.explanations)
+        wrong = sorted(
+            v.mutant.key for v in self.verdicts if v.outcome == "killed" and v.mutant.key in self.explanations
+        )
         killed = len(self.verdicts) - len(survived)
         counted = killed + len(open_ones)
         score = 100 * killed / counted if counted else 0.0
         result = {
-            "seed": self.seed, "mutants": len(self.verdicts), "killed": killed, "equivalent": len(survived) - len(open_ones),
-            "survivors": open_ones, "explained_but_killed": wrong, "score_percent": round(score, 2),
-            "kinds": {kind: sum(v.mutant.kind == kind for v in self.verdicts) for kind in sorted({v.mutant.kind for v in self.verdicts})},
-            "verdicts": [{"key": v.mutant.key, "kind": v.mutant.kind, "outcome": v.outcome, "by": v.by, "seconds": round(v.seconds, 1)} for v in self.verdicts],
+            "seed": self.seed,
+            "mutants": len(self.verdicts),
+            "killed": killed,
+            "equivalent": len(survived) - len(open_ones),
+            "survivors": open_ones,
+            "explained_but_killed": wrong,
+            "score_percent": round(score, 2),
+            "kinds": {
+                kind: sum(v.mutant.kind == kind for v in self.verdicts)
+                for kind in sorted({v.mutant.kind for v in self.verdicts})
+            },
+            "verdicts": [
+                {
+                    "key": v.mutant.key,
+                    "kind": v.mutant.kind,
+                    "outcome": v.outcome,
+                    "by": v.by,
+                    "seconds": round(v.seconds, 1),
+                }
+                for v in self.verdicts
+            ],
         }
         Path(out).mkdir(parents=True, exist_ok=True)
         (Path(out) / "report.json").write_text(json.dumps(result, indent=2) + "\n")
         for key in wrong:
             self.say(f"explained as equivalent, but killed: {key}")
-        self.say(f"{len(self.verdicts)} mutants, {killed} killed, {result['equivalent']} equivalent, {len(open_ones)} survived: score {score:.2f} %; "
-                 f"seed {self.seed}; {Path(out) / 'report.json'}")
+        self.say(
+            f"{len(self.verdicts)} mutants, {killed} killed, {result['equivalent']} equivalent, {len(open_ones)} survived: score {score:.2f} %; "
+            f"seed {self.seed}; {Path(out) / 'report.json'}"
+        )
         return score, open_ones + wrong

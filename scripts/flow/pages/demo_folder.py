@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The folder that scripts/demo.sh fills, read and checked.
 
-    match/            disparity.png, valid.png with a check, match.json (stereo_hls match)
-    cosim-ghdl/       report.json (scripts/cosim.py)
-    cosim-verilator/  report.json
+match/            disparity.png, valid.png with a check, match.json (stereo_hls match)
+cosim-ghdl/       report.json (scripts/cosim.py)
+cosim-verilator/  report.json
 """
 
 import re
@@ -24,19 +24,54 @@ MATCH_FORMAT = "stereo-hls match 1"
 LARGEST = 1e18  # beyond it no number of a demo lies
 
 _MATCH_KEYS = {
-    "config": str, "engine": str, "left": str, "right": str, "fit": str, "width_px": int, "height_px": int, "disparities": int,
-    "window_px": int, "output_width_px": int, "output_height_px": int, "output_first_column": int, "disparity_steps_per_px": int,
-    "min_disparity": int, "reference": str, "milliseconds": (int, float),
+    "config": str,
+    "engine": str,
+    "left": str,
+    "right": str,
+    "fit": str,
+    "width_px": int,
+    "height_px": int,
+    "disparities": int,
+    "window_px": int,
+    "output_width_px": int,
+    "output_height_px": int,
+    "output_first_column": int,
+    "disparity_steps_per_px": int,
+    "min_disparity": int,
+    "reference": str,
+    "milliseconds": (int, float),
 }
 _TRUTH_KEYS = {"disparity": str, "visible": str, "tolerance_px": int, "compared_px": int, "bad_px": int}
 _COSIM_KEYS = {
-    "config": str, "command": str, "simulator": str, "rows": (str, type(None)), "stall_percent": int, "seed": int, "passed": bool, "expected": int,
-    "compared": int, "mismatches": int, "first_mismatch": (str, type(None)), "frames": int, "clocks": int,
-    "clocks_per_frame": (int, type(None)), "initiation_interval": (dict, type(None)), "latency_clocks": (int, type(None)),
-    "clocks_per_second": (int, float), "build_seconds": (int, float), "simulation_seconds": (int, float),
+    "config": str,
+    "command": str,
+    "simulator": str,
+    "rows": (str, type(None)),
+    "stall_percent": int,
+    "seed": int,
+    "passed": bool,
+    "expected": int,
+    "compared": int,
+    "mismatches": int,
+    "first_mismatch": (str, type(None)),
+    "frames": int,
+    "clocks": int,
+    "clocks_per_frame": (int, type(None)),
+    "initiation_interval": (dict, type(None)),
+    "latency_clocks": (int, type(None)),
+    "clocks_per_second": (int, float),
+    "build_seconds": (int, float),
+    "simulation_seconds": (int, float),
 }
 _INTERVAL_KEYS = {"min": int, "avg": (int, float), "max": int}
-_TOOL_KEYS = {"states": int, "loop_states": int, "registers": int, "registers_named": int, "register_bits": int, "memory_bits": int}
+_TOOL_KEYS = {
+    "states": int,
+    "loop_states": int,
+    "registers": int,
+    "registers_named": int,
+    "register_bits": int,
+    "memory_bits": int,
+}
 
 
 @dataclass(frozen=True)
@@ -72,7 +107,9 @@ def read_demo(folder):
         raise FlowError(f"{folder}: there is no such folder; make it with scripts/demo.sh")
     match = _read_json(folder / "match" / "match.json", _MATCH_KEYS)
     if match.get("format") != MATCH_FORMAT:
-        raise FlowError(f"{folder / 'match' / 'match.json'}: format {match.get('format')!r} instead of '{MATCH_FORMAT}'")
+        raise FlowError(
+            f"{folder / 'match' / 'match.json'}: format {match.get('format')!r} instead of '{MATCH_FORMAT}'"
+        )
     if not re.fullmatch(r"\w{1,100}", match["config"]):
         raise FlowError(f"{folder / 'match' / 'match.json'} is damaged: unusable 'config'")
     if "truth" in match:

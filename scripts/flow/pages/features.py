@@ -14,13 +14,28 @@ OPTIONS = [
     ("the plain core", [("study", "5x5 SAD, right reference, direct sums")]),
     ("pixel pairs a clock", [("study_p2", "P = 2"), ("study_p4", "P = 4")]),
     ("window, direct sums", [("study_w3", "3x3"), ("study_w7", "7x7"), ("study_w9", "9x9")]),
-    ("window, recursive sums", [
-        ("study_w3_recursive", "3x3"), ("study_recursive", "5x5"), ("study_w7_recursive", "7x7"), ("study_w9_recursive", "9x9"),
-        ("study_w15_recursive", "15x15"), ("study_w21_recursive", "21x21")]),
+    (
+        "window, recursive sums",
+        [
+            ("study_w3_recursive", "3x3"),
+            ("study_recursive", "5x5"),
+            ("study_w7_recursive", "7x7"),
+            ("study_w9_recursive", "9x9"),
+            ("study_w15_recursive", "15x15"),
+            ("study_w21_recursive", "21x21"),
+        ],
+    ),
     ("images", [("study_left", "left reference"), ("study_min8", "min_disparity 8")]),
     ("cost", [("study_ssd", "SSD"), ("study_census", "census 5x5")]),
     ("prefilter", [("study_xsobel", "x-Sobel")]),
-    ("checks", [("study_left_right", "left/right"), ("study_uniqueness", "uniqueness"), ("study_texture", "texture, with the x-Sobel")]),
+    (
+        "checks",
+        [
+            ("study_left_right", "left/right"),
+            ("study_uniqueness", "uniqueness"),
+            ("study_texture", "texture, with the x-Sobel"),
+        ],
+    ),
     ("after the winner", [("study_subpixel", "subpixel"), ("study_median", "median 3x3")]),
     ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
 ]
@@ -79,10 +94,37 @@ def options_table():
             p, tool = configuration.parameters, configuration.manifest["tool_report"]
             luts = figures.lut_count(result) if result else None
             extra = f"{luts - figures.lut_count(base):+,}" if result and base and name != BASE else "-"
-            rows.append([
-                heading, what, number(figures.clocks_per_frame(p)), number(p["latency_clocks"]), number(luts), extra, number(result and result["ffs"]),
-                number(tool["memory_bits"]), number(result and result["block_rams"]), number(result and result["fmax_mhz"]["median"], 1), code(name)])
-    return table(["", "option", "clocks a frame", "latency", "LUT4", "more LUT4", "flip-flops", "memory bits", "block RAMs", "MHz", "configuration"], rows)
+            rows.append(
+                [
+                    heading,
+                    what,
+                    number(figures.clocks_per_frame(p)),
+                    number(p["latency_clocks"]),
+                    number(luts),
+                    extra,
+                    number(result and result["ffs"]),
+                    number(tool["memory_bits"]),
+                    number(result and result["block_rams"]),
+                    number(result and result["fmax_mhz"]["median"], 1),
+                    code(name),
+                ]
+            )
+    return table(
+        [
+            "",
+            "option",
+            "clocks a frame",
+            "latency",
+            "LUT4",
+            "more LUT4",
+            "flip-flops",
+            "memory bits",
+            "block RAMs",
+            "MHz",
+            "configuration",
+        ],
+        rows,
+    )
 
 
 def depths_table():
@@ -92,16 +134,39 @@ def depths_table():
             continue
         configuration, result = _result(name)
         p = configuration.parameters
-        rows.append([*[str(p[key]) for key in ("cost_clocks", "winner_group", "slice_disparities", "latency_clocks")],
-                     number(result and figures.lut_count(result)), number(result and result["ffs"]), number(result and result["fmax_mhz"]["median"], 1), code(name)])
-    return table(["cost_clocks", "winner_group", "slice_disparities", "latency, clocks", "LUT4", "flip-flops", "MHz", "configuration"], rows)
+        rows.append(
+            [
+                *[str(p[key]) for key in ("cost_clocks", "winner_group", "slice_disparities", "latency_clocks")],
+                number(result and figures.lut_count(result)),
+                number(result and result["ffs"]),
+                number(result and result["fmax_mhz"]["median"], 1),
+                code(name),
+            ]
+        )
+    return table(
+        [
+            "cost_clocks",
+            "winner_group",
+            "slice_disparities",
+            "latency, clocks",
+            "LUT4",
+            "flip-flops",
+            "MHz",
+            "configuration",
+        ],
+        rows,
+    )
 
 
 def crossover():
     """For each window that was built both ways, which takes fewer look-up tables."""
     sentences = []
-    for window, direct, recursive in ((3, "study_w3", "study_w3_recursive"), (5, "study", "study_recursive"),
-                                      (7, "study_w7", "study_w7_recursive"), (9, "study_w9", "study_w9_recursive")):
+    for window, direct, recursive in (
+        (3, "study_w3", "study_w3_recursive"),
+        (5, "study", "study_recursive"),
+        (7, "study_w7", "study_w7_recursive"),
+        (9, "study_w9", "study_w9_recursive"),
+    ):
         if not (_known(direct) and _known(recursive)):
             continue
         results = [_result(name)[1] for name in (direct, recursive)]

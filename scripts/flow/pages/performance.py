@@ -28,12 +28,31 @@ class Published(NamedTuple):
 
 PAPER_WINDOW_PX = 3
 PAPER_MHZ = 65
-PUBLISHED = [Published(*row) for row in (
-    (f"Ambrosch et al. 2007, 3x3, Stratix II, {PAPER_MHZ} MHz", 153_120, 425, 15_616, 884_736, None, "the paper, section 4"),
-    ("Vitis Vision StereoBM, 100 units, 5x5", 79_056, None, None, None, None, "its loop bounds"),
-    ("Strother dlsc SAD core, 2 rows at once, 5x5", 27_000, None, None, None, None, "its header; about"),
-    ("best FPGA row found: SGM 3840x2160x64 at 30 frames a second", None, None, None, None, 15_925, "its publication"),
-)]
+PUBLISHED = [
+    Published(*row)
+    for row in (
+        (
+            f"Ambrosch et al. 2007, 3x3, Stratix II, {PAPER_MHZ} MHz",
+            153_120,
+            425,
+            15_616,
+            884_736,
+            None,
+            "the paper, section 4",
+        ),
+        ("Vitis Vision StereoBM, 100 units, 5x5", 79_056, None, None, None, None, "its loop bounds"),
+        ("Strother dlsc SAD core, 2 rows at once, 5x5", 27_000, None, None, None, None, "its header; about"),
+        (
+            "best FPGA row found: SGM 3840x2160x64 at 30 frames a second",
+            None,
+            None,
+            None,
+            None,
+            15_925,
+            "its publication",
+        ),
+    )
+]
 PAPER_SYSTEM = PUBLISHED[0]  # "Hardware implementation of an SAD based stereo vision algorithm", 2007
 
 _SURVEY = "table 1 of doi 10.1155/2014/945926"
@@ -56,12 +75,31 @@ SYSTEMS = [
 
 def per_clock_table(configurations):
     rows = [
-        [code(c.name), c.size(), number(figures.clocks_per_frame(c.parameters)), number(c.parameters["latency_clocks"]),
-         number(figures.evaluations_per_clock(c.parameters)), number(c.manifest["tool_report"]["register_bits"]),
-         number(c.manifest["tool_report"]["memory_bits"]), code(f"scripts/performance.py --config {c.name}")]
+        [
+            code(c.name),
+            c.size(),
+            number(figures.clocks_per_frame(c.parameters)),
+            number(c.parameters["latency_clocks"]),
+            number(figures.evaluations_per_clock(c.parameters)),
+            number(c.manifest["tool_report"]["register_bits"]),
+            number(c.manifest["tool_report"]["memory_bits"]),
+            code(f"scripts/performance.py --config {c.name}"),
+        ]
         for c in configurations
     ]
-    return table(["configuration", "size", "clocks a frame", "latency, clocks", "evaluations a clock", "register bits", "memory bits", "printed by"], rows)
+    return table(
+        [
+            "configuration",
+            "size",
+            "clocks a frame",
+            "latency, clocks",
+            "evaluations a clock",
+            "register bits",
+            "memory bits",
+            "printed by",
+        ],
+        rows,
+    )
 
 
 def area_table(configurations):
@@ -69,7 +107,15 @@ def area_table(configurations):
     for c in configurations:
         for name in TARGETS:
             result = c.targets.get(name)
-            values = [number(figures.lut_count(result)) + " " + TARGETS[name].lut_name, number(result["ffs"]), number(result["block_rams"])] if result else [UNKNOWN] * 3
+            values = (
+                [
+                    number(figures.lut_count(result)) + " " + TARGETS[name].lut_name,
+                    number(result["ffs"]),
+                    number(result["block_rams"]),
+                ]
+                if result
+                else [UNKNOWN] * 3
+            )
             rows.append([code(c.name), name, *values, code(f"scripts/implement.py --config {c.name} --target {name}")])
     return table(["configuration", "family", "look-up tables", "flip-flops", "block RAMs", "printed by"], rows)
 
@@ -79,12 +125,31 @@ def speed_table(configurations):
     for c in configurations:
         clock = c.clock()
         path = clock.get("path")
-        rows.append([
-            code(c.name), number(clock.get("median"), 1), number(clock.get("best"), 1), number(clock.get("frames_per_second")),
-            number(clock.get("mde_per_second")), number(clock["evaluations_per_second_per_lut"] / 1e3) if clock else UNKNOWN,
-            f"{code(path['from'])} to {code(path['to'])}" if path else UNKNOWN, code(f"scripts/implement.py --config {c.name} --target ecp5"),
-        ])
-    return table(["configuration", "MHz, median", "MHz, best seed", "frames a second", "Mde/s", "thousand evaluations/s per LUT", "slowest path", "printed by"], rows)
+        rows.append(
+            [
+                code(c.name),
+                number(clock.get("median"), 1),
+                number(clock.get("best"), 1),
+                number(clock.get("frames_per_second")),
+                number(clock.get("mde_per_second")),
+                number(clock["evaluations_per_second_per_lut"] / 1e3) if clock else UNKNOWN,
+                f"{code(path['from'])} to {code(path['to'])}" if path else UNKNOWN,
+                code(f"scripts/implement.py --config {c.name} --target ecp5"),
+            ]
+        )
+    return table(
+        [
+            "configuration",
+            "MHz, median",
+            "MHz, best seed",
+            "frames a second",
+            "Mde/s",
+            "thousand evaluations/s per LUT",
+            "slowest path",
+            "printed by",
+        ],
+        rows,
+    )
 
 
 def comparison(configurations):
@@ -94,18 +159,44 @@ def comparison(configurations):
     for other in PUBLISHED:
         clocks, fps = other.clocks_per_frame, other.frames_per_second
         speed = other.mde_per_second or (fps and fps * evaluations / 1e6)
-        rows.append([other.system, number(clocks), number(clocks and evaluations / clocks, 1), number(fps), number(speed), number(other.aluts),
-                     number(other.memory_bits), other.source])
+        rows.append(
+            [
+                other.system,
+                number(clocks),
+                number(clocks and evaluations / clocks, 1),
+                number(fps),
+                number(speed),
+                number(other.aluts),
+                number(other.memory_bits),
+                other.source,
+            ]
+        )
     for c in configurations:
         if any(c.parameters[key] != value for key, value in PAPER.items()):
             continue
         clock, cyclone = c.clock(), c.targets.get("cyclonev")
-        rows.append([
-            f"this core, {code(c.name)}", number(figures.clocks_per_frame(c.parameters)), number(figures.evaluations_per_clock(c.parameters), 1),
-            number(clock.get("frames_per_second")), number(clock.get("mde_per_second")), number(cyclone and cyclone["aluts"]),
-            number(c.manifest["tool_report"]["memory_bits"]), code(f"scripts/implement.py --config {c.name}"),
-        ])
-    return ["system", "clocks a frame", "evaluations a clock", "frames a second", "Mde/s", "ALUTs", "memory bits", "from"], rows
+        rows.append(
+            [
+                f"this core, {code(c.name)}",
+                number(figures.clocks_per_frame(c.parameters)),
+                number(figures.evaluations_per_clock(c.parameters), 1),
+                number(clock.get("frames_per_second")),
+                number(clock.get("mde_per_second")),
+                number(cyclone and cyclone["aluts"]),
+                number(c.manifest["tool_report"]["memory_bits"]),
+                code(f"scripts/implement.py --config {c.name}"),
+            ]
+        )
+    return [
+        "system",
+        "clocks a frame",
+        "evaluations a clock",
+        "frames a second",
+        "Mde/s",
+        "ALUTs",
+        "memory bits",
+        "from",
+    ], rows
 
 
 TEXT = """\
@@ -170,23 +261,56 @@ def systems(make=Configuration):
     rows = []
     for system, what, published, source, name in SYSTEMS:
         if name is None or name not in implement.known_configurations():
-            rows.append([system, what, number(published), source, code(name) if name else "not done yet", *[UNKNOWN] * 8])
+            rows.append(
+                [system, what, number(published), source, code(name) if name else "not done yet", *[UNKNOWN] * 8]
+            )
             continue
         c = make(name)
         clock, area = c.clock(), c.targets.get("ecp5")
         cyclone = c.targets.get("cyclonev")
-        rows.append([
-            system, what, number(published), source, code(name), number(figures.clocks_per_frame(c.parameters)),
-            number(c.manifest["tool_report"]["register_bits"]), number(c.manifest["tool_report"]["memory_bits"]),
-            *(compared(c.cosimulations.get(simulator)) for simulator in ("ghdl", "verilator")),
-            number(figures.lut_count(area)) if area else UNKNOWN, number(cyclone and cyclone["aluts"]), number(clock.get("frames_per_second"))])
-    head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame", "register bits", "memory bits", "compared in GHDL",
-            "compared in Verilator", "LUT4", "ALUTs", "frames a second on ECP5"]
+        rows.append(
+            [
+                system,
+                what,
+                number(published),
+                source,
+                code(name),
+                number(figures.clocks_per_frame(c.parameters)),
+                number(c.manifest["tool_report"]["register_bits"]),
+                number(c.manifest["tool_report"]["memory_bits"]),
+                *(compared(c.cosimulations.get(simulator)) for simulator in ("ghdl", "verilator")),
+                number(figures.lut_count(area)) if area else UNKNOWN,
+                number(cyclone and cyclone["aluts"]),
+                number(clock.get("frames_per_second")),
+            ]
+        )
+    head = [
+        "system",
+        "point",
+        "its frames a second",
+        "published in",
+        "this core",
+        "clocks a frame",
+        "register bits",
+        "memory bits",
+        "compared in GHDL",
+        "compared in Verilator",
+        "LUT4",
+        "ALUTs",
+        "frames a second on ECP5",
+    ]
     return head, rows
 
 
 def page():
     """The paper's core and its small twins; other families have pages of their own."""
-    configurations = [Configuration(name) for name in implement.known_configurations() if family(name) in (PAPER_FAMILY, TINY)]
-    return TEXT.format(per_clock=per_clock_table(configurations), speed=speed_table(configurations), area=area_table(configurations),
-                       comparison=table(*comparison(configurations)), systems=table(*systems()))
+    configurations = [
+        Configuration(name) for name in implement.known_configurations() if family(name) in (PAPER_FAMILY, TINY)
+    ]
+    return TEXT.format(
+        per_clock=per_clock_table(configurations),
+        speed=speed_table(configurations),
+        area=area_table(configurations),
+        comparison=table(*comparison(configurations)),
+        systems=table(*systems()),
+    )

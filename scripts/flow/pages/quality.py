@@ -23,7 +23,15 @@ BM = "StereoBM"
 # (title, base configuration, options that differ from it beside the disparity range)
 _NO_CHECKS = ("uniqueness_percent=0", "texture_threshold=0")
 _PLAIN = ("reference=left", "ties=largest", "subpixel=true")
-_CENSUS_9X3 = (*_PLAIN, "ties=smallest", "cost=census", "census_width_px=9", "census_height_px=3", "window_px=9", "median=true")
+_CENSUS_9X3 = (
+    *_PLAIN,
+    "ties=smallest",
+    "cost=census",
+    "census_width_px=9",
+    "census_height_px=3",
+    "window_px=9",
+    "median=true",
+)
 OURS = [
     ("SAD 3x3, the paper's", "ambrosch2007", ()),
     ("SAD 9x9, left reference, subpixel", "ambrosch2007", (*_PLAIN, "window_px=9")),
@@ -126,7 +134,18 @@ def measure(images, disparities):
 
 def pair_images(pair):
     left, right, truth_left, truth_right = (pair / name for name in PAIR_FILES)
-    return ["--left", left, "--right", right, "--truth-left", truth_left, "--truth-right", truth_right, "--truth-scale", 4]
+    return [
+        "--left",
+        left,
+        "--right",
+        right,
+        "--truth-left",
+        truth_left,
+        "--truth-right",
+        truth_right,
+        "--truth-scale",
+        4,
+    ]
 
 
 def bad_1(method, mask="non_occluded"):
@@ -148,8 +167,14 @@ def regions_table(runs):
     for same in zip(*runs):
         title, methods = same[0][0], [method for _, method in same]
         mean = lambda value: percent(_mean([value(m) for m in methods]))  # noqa: E731
-        rows.append([title, methods[0]["reference"], *(mean(lambda m, k=mask: bad_1(m, k)) for mask in MASKS),
-                     mean(lambda m: m["masks"]["non_occluded"]["density"])])
+        rows.append(
+            [
+                title,
+                methods[0]["reference"],
+                *(mean(lambda m, k=mask: bad_1(m, k)) for mask in MASKS),
+                mean(lambda m: m["masks"]["non_occluded"]["density"]),
+            ]
+        )
     return table(["method", "reference", *(f"bad 1, {title}" for title in MASK_TITLES), "density"], rows)
 
 
@@ -158,14 +183,29 @@ def measures_table(results):
     rows = []
     for title, method in results:
         mask = method["masks"]["non_occluded"]
-        rows.append([title, *(percent(mask[name]["invalid_bad"]) for name in MEASURES),
-                     *(percent(mask[name]["valid_only"]) for name in MEASURES), number(mask["avg_px"], 3), number(mask["rms_px"], 2)])
+        rows.append(
+            [
+                title,
+                *(percent(mask[name]["invalid_bad"]) for name in MEASURES),
+                *(percent(mask[name]["valid_only"]) for name in MEASURES),
+                number(mask["avg_px"], 3),
+                number(mask["rms_px"], 2),
+            ]
+        )
     return table(["method", *titles, *(f"{title} of valid" for title in titles), "mean error, px", "RMS, px"], rows)
 
 
 def stored_table(bm):
-    rows = [[title, percent(OPENCV_STORED[mask]), percent(bad_1(bm, mask)), f"{100 * (bad_1(bm, mask) - OPENCV_STORED[mask]):+.2f}"]
-            for mask, title in zip(MASKS, MASK_TITLES) if mask in OPENCV_STORED]
+    rows = [
+        [
+            title,
+            percent(OPENCV_STORED[mask]),
+            percent(bad_1(bm, mask)),
+            f"{100 * (bad_1(bm, mask) - OPENCV_STORED[mask]):+.2f}",
+        ]
+        for mask, title in zip(MASKS, MASK_TITLES)
+        if mask in OPENCV_STORED
+    ]
     return table(["bad 1 of StereoBM, percent", "stored", "here", "difference"], rows)
 
 
@@ -180,11 +220,13 @@ def verdict(results):
     bm = bad_1(dict(results)[BM])
     title, best = best_of_ours(results)
     word = "fewer" if bad_1(best) < bm else "not fewer"
-    return (f"With the same reference image the best of ours, \"{title}\", has {word} bad pixels than\n"
-            f"StereoBM with its stored parameters: {percent(bad_1(best))} % against {percent(bm)} % (bad 1, non-occluded, invalid pixels as bad).\n"
-            "The rows above say where it comes from: our map has no border of half a window that is invalid, checks cost density, and a\n"
-            "census transform finds more than the x-Sobel filter. StereoSGBM smooths along whole lines, which no block matcher does.\n"
-            "The census rows were picked on this very pair, among some seventy; the scenes below had no part in it.")
+    return (
+        f'With the same reference image the best of ours, "{title}", has {word} bad pixels than\n'
+        f"StereoBM with its stored parameters: {percent(bad_1(best))} % against {percent(bm)} % (bad 1, non-occluded, invalid pixels as bad).\n"
+        "The rows above say where it comes from: our map has no border of half a window that is invalid, checks cost density, and a\n"
+        "census transform finds more than the x-Sobel filter. StereoSGBM smooths along whole lines, which no block matcher does.\n"
+        "The census rows were picked on this very pair, among some seventy; the scenes below had no part in it."
+    )
 
 
 def scenes_text():
@@ -193,14 +235,23 @@ def scenes_text():
         for seed in SCENE_SEEDS:
             images = scene(seed, SCENE_DISPARITIES, Path(folder) / str(seed))
             runs.append(measure([word for option in images.items() for word in option], SCENE_DISPARITIES))
-    return SCENES_TEXT.format(disparities=SCENE_DISPARITIES, seeds=", ".join(map(str, SCENE_SEEDS)), regions=regions_table(runs)).rstrip()
+    return SCENES_TEXT.format(
+        disparities=SCENE_DISPARITIES, seeds=", ".join(map(str, SCENE_SEEDS)), regions=regions_table(runs)
+    ).rstrip()
 
 
 def page(pair):
     results = measure(pair_images(pair), PAIR_DISPARITIES)
-    return TEXT.format(rules=RULES, disparities=PAIR_DISPARITIES, pair_regions=regions_table([results]),
-                       pair_measures=measures_table(results), tolerance=f"{100 * OPENCV_TOLERANCE:g}",
-                       stored=stored_table(dict(results)[BM]), verdict=verdict(results), scenes=scenes_text())
+    return TEXT.format(
+        rules=RULES,
+        disparities=PAIR_DISPARITIES,
+        pair_regions=regions_table([results]),
+        pair_measures=measures_table(results),
+        tolerance=f"{100 * OPENCV_TOLERANCE:g}",
+        stored=stored_table(dict(results)[BM]),
+        verdict=verdict(results),
+        scenes=scenes_text(),
+    )
 
 
 def scenes_page():

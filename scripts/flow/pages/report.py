@@ -37,7 +37,9 @@ def match_commands(demo):
     match, commands, truth = demo.match, [], []
     if "truth" in match:
         scene = Path(match["left"]).parent
-        commands.append(_command(PROGRAM, "scene", "--config", match["config"], "--seed", demo.cosims[0]["seed"], "--out", scene))
+        commands.append(
+            _command(PROGRAM, "scene", "--config", match["config"], "--seed", demo.cosims[0]["seed"], "--out", scene)
+        )
         truth = ["--truth", match["truth"]["disparity"], "--visible", match["truth"]["visible"]]
     commands.append(_command(PROGRAM, "match", *_pair_options(match), *truth, "--out", "build/match"))
     return commands
@@ -64,7 +66,9 @@ def _pair(match, notes):
     pair = {}
     for side in ("left", "right"):
         name = match[side]
-        image = _optional(notes, f"the {side} image", lambda: pictures.fitted(pictures.load(_named(name), gray=True), match))
+        image = _optional(
+            notes, f"the {side} image", lambda: pictures.fitted(pictures.load(_named(name), gray=True), match)
+        )
         if image is not None:
             pair[side] = image
     return pair
@@ -79,15 +83,31 @@ def draw(demo):
     if demo.has_checks:
         valid = pictures.load(demo.folder / VALID) != 0
     if values.shape != (match["output_height_px"], match["output_width_px"]) or valid.shape != values.shape:
-        raise FlowError(f"{demo.folder / MAP} is damaged: its size is not the one in match.json; make it again with scripts/demo.sh")
+        raise FlowError(
+            f"{demo.folder / MAP} is damaged: its size is not the one in match.json; make it again with scripts/demo.sh"
+        )
     pair = _pair(match, notes)
-    drawn = [pictures.Picture(f"{side.capitalize()} image", pictures.png(image), "The reference: the map has its pixels." if side == match["reference"] else
-                              "The image in which matches are searched.", match["width_px"], match["height_px"]) for side, image in pair.items()]
+    drawn = [
+        pictures.Picture(
+            f"{side.capitalize()} image",
+            pictures.png(image),
+            "The reference: the map has its pixels."
+            if side == match["reference"]
+            else "The image in which matches are searched.",
+            match["width_px"],
+            match["height_px"],
+        )
+        for side, image in pair.items()
+    ]
     drawn.append(pictures.of_map(match, values, valid))
     truth = visible = None
     if "truth" in match:
         truth = _optional(notes, "the errors", lambda: pictures.load(_named(match["truth"]["disparity"])).astype(float))
-        visible = truth if truth is None else _optional(notes, "the errors", lambda: pictures.load(_named(match["truth"]["visible"])))
+        visible = (
+            truth
+            if truth is None
+            else _optional(notes, "the errors", lambda: pictures.load(_named(match["truth"]["visible"])))
+        )
     if visible is not None:
         drawn.append(_errors(match, values, valid, truth, visible, notes))
     if demo.has_checks and match["reference"] in pair:
@@ -99,7 +119,9 @@ def draw(demo):
 def _errors(match, values, valid, truth, visible, notes):
     picture, bad = pictures.of_errors(match, values, valid, truth, visible)
     if bad != match["truth"]["bad_px"]:
-        notes.append(f"The error picture shows {bad:,} bad pixels, match.json counts {match['truth']['bad_px']:,}: the files are not of one run.")
+        notes.append(
+            f"The error picture shows {bad:,} bad pixels, match.json counts {match['truth']['bad_px']:,}: the files are not of one run."
+        )
     return picture
 
 
@@ -115,12 +137,20 @@ def key_figures(demo):
     clock = demo.core.clock()
     if clock:
         cards.append((f"{clock['median']:.0f} MHz", "on ECP5, placed and routed", ""))
-        cards.append((number(clock["frames_per_second"]), "frames a second at that clock", beside(paper.frames_per_second)))
+        cards.append(
+            (number(clock["frames_per_second"]), "frames a second at that clock", beside(paper.frames_per_second))
+        )
     if "ecp5" in demo.core.targets:
         cards.append((number(figures.lut_count(demo.core.targets["ecp5"])), "look-up tables on ECP5", ""))
     cards.append((number(demo.tool["memory_bits"]), "memory bits", beside(paper.memory_bits)))
     if "truth" in demo.match:
-        cards.append((f"{bad_percent(demo.match['truth']):.2f} %", "bad pixels", f"off by more than {demo.match['truth']['tolerance_px']} px"))
+        cards.append(
+            (
+                f"{bad_percent(demo.match['truth']):.2f} %",
+                "bad pixels",
+                f"off by more than {demo.match['truth']['tolerance_px']} px",
+            )
+        )
     return cards
 
 
@@ -129,37 +159,79 @@ def hardware(demo):
     name, tool, paper, whole = demo.match["config"], demo.tool, performance.PAPER_SYSTEM, demo.whole_frames
     paper_evaluations = figures.evaluations_per_frame(performance.PAPER)
     return [
-        ((whole or demo.cosims[0])["command"], [
-            ("clocks a frame" + (", frames back to back" if whole and whole["frames"] > 1 else ""), number(whole and whole["clocks_per_frame"]),
-             number(paper.clocks_per_frame)),
-            ("latency, clocks", number((whole or demo.cosims[0])["latency_clocks"]), "–")]),
-        (f"scripts/performance.py --config {name}", [
-            ("disparity evaluations a clock", number(figures.evaluations_per_clock(demo.core.parameters)), number(paper_evaluations / paper.clocks_per_frame, 1)),
-            ("memory bits", number(tool["memory_bits"]), number(paper.memory_bits)),
-            ("register bits", number(tool["register_bits"]), "–")]),
-        (f"scripts/synthesize.py --config {name}    (needs Bambu)", [
-            ("registers, of them named as in C++", f"{tool['registers']:,}, {tool['registers_named']:,}", "–"),
-            ("states, of them in the loop", f"{tool['states']}, {tool['loop_states']}", "–")]),
-        *((f"scripts/implement.py --config {name} --target {target}", _target_rows(demo, target, result)) for target, result in demo.core.targets.items())]
+        (
+            (whole or demo.cosims[0])["command"],
+            [
+                (
+                    "clocks a frame" + (", frames back to back" if whole and whole["frames"] > 1 else ""),
+                    number(whole and whole["clocks_per_frame"]),
+                    number(paper.clocks_per_frame),
+                ),
+                ("latency, clocks", number((whole or demo.cosims[0])["latency_clocks"]), "–"),
+            ],
+        ),
+        (
+            f"scripts/performance.py --config {name}",
+            [
+                (
+                    "disparity evaluations a clock",
+                    number(figures.evaluations_per_clock(demo.core.parameters)),
+                    number(paper_evaluations / paper.clocks_per_frame, 1),
+                ),
+                ("memory bits", number(tool["memory_bits"]), number(paper.memory_bits)),
+                ("register bits", number(tool["register_bits"]), "–"),
+            ],
+        ),
+        (
+            f"scripts/synthesize.py --config {name}    (needs Bambu)",
+            [
+                ("registers, of them named as in C++", f"{tool['registers']:,}, {tool['registers_named']:,}", "–"),
+                ("states, of them in the loop", f"{tool['states']}, {tool['loop_states']}", "–"),
+            ],
+        ),
+        *(
+            (f"scripts/implement.py --config {name} --target {target}", _target_rows(demo, target, result))
+            for target, result in demo.core.targets.items()
+        ),
+    ]
 
 
 def _target_rows(demo, target, result):
     paper, tables = performance.PAPER_SYSTEM, TARGETS[target].lut_name
-    rows = [(f"{target}: look-up tables ({tables})", number(figures.lut_count(result)), f"{number(paper.aluts)} (Stratix II)" if target == "cyclonev" else "–"),
-            (f"{target}: flip-flops", number(result["ffs"]), "–"),
-            (f"{target}: block RAMs", number(result["block_rams"]), "–")]
+    rows = [
+        (
+            f"{target}: look-up tables ({tables})",
+            number(figures.lut_count(result)),
+            f"{number(paper.aluts)} (Stratix II)" if target == "cyclonev" else "–",
+        ),
+        (f"{target}: flip-flops", number(result["ffs"]), "–"),
+        (f"{target}: block RAMs", number(result["block_rams"]), "–"),
+    ]
     if "fmax_mhz" in result:
         fmax, clock, seeds = result["fmax_mhz"], demo.core.clock(), len(result["fmax_mhz"]["by_seed"])
-        rows += [(f"{target}: MHz after place and route, median (best) of {seeds} seed{'s' if seeds != 1 else ''}", f"{fmax['median']:.1f} ({fmax['best']:.1f})",
-                  f"{performance.PAPER_MHZ} (Stratix II)"),
-                 (f"{target}: frames a second at that clock", number(clock["frames_per_second"]), number(paper.frames_per_second)),
-                 (f"{target}: million disparity evaluations a second", number(clock["mde_per_second"]),
-                  number(paper.frames_per_second * figures.evaluations_per_frame(performance.PAPER) / 1e6))]
+        rows += [
+            (
+                f"{target}: MHz after place and route, median (best) of {seeds} seed{'s' if seeds != 1 else ''}",
+                f"{fmax['median']:.1f} ({fmax['best']:.1f})",
+                f"{performance.PAPER_MHZ} (Stratix II)",
+            ),
+            (
+                f"{target}: frames a second at that clock",
+                number(clock["frames_per_second"]),
+                number(paper.frames_per_second),
+            ),
+            (
+                f"{target}: million disparity evaluations a second",
+                number(clock["mde_per_second"]),
+                number(paper.frames_per_second * figures.evaluations_per_frame(performance.PAPER) / 1e6),
+            ),
+        ]
     return rows
 
 
 def comparisons():
     """[(head, rows)]: what performance.py writes into docs/performance.md; a result of other VHDL counts as none."""
+
     def make(name):
         return Configuration(name, stale_is_none=True)
 
@@ -176,19 +248,37 @@ def bad_percent(truth):
 
 def render(demo):
     drawn, notes = draw(demo)
-    failures = [mismatch.read(demo.folder / name, demo.core.parameters) for name, cosim in zip(COSIMS, demo.cosims) if not cosim["passed"]]
+    failures = [
+        mismatch.read(demo.folder / name, demo.core.parameters)
+        for name, cosim in zip(COSIMS, demo.cosims)
+        if not cosim["passed"]
+    ]
     return page.render(
-        "report.html.j2", demo=demo, match=demo.match, truth=demo.match.get("truth"), pictures=drawn, notes=notes, scale=pictures.scale_png(),
-        cards=key_figures(demo), match_commands=match_commands(demo), cosims=demo.cosims,
-        hardware=hardware(demo), comparisons=comparisons(), bad_percent=bad_percent, failures=[failure for failure in failures if failure],
-        size={**performance.PAPER, "window_px": performance.PAPER_WINDOW_PX})
+        "report.html.j2",
+        demo=demo,
+        match=demo.match,
+        truth=demo.match.get("truth"),
+        pictures=drawn,
+        notes=notes,
+        scale=pictures.scale_png(),
+        cards=key_figures(demo),
+        match_commands=match_commands(demo),
+        cosims=demo.cosims,
+        hardware=hardware(demo),
+        comparisons=comparisons(),
+        bad_percent=bad_percent,
+        failures=[failure for failure in failures if failure],
+        size={**performance.PAPER, "window_px": performance.PAPER_WINDOW_PX},
+    )
 
 
 def summary(demo):
     """The key facts in a few lines of text."""
     parts = [f"{cosim['compared']:,} of {cosim['expected']:,} outputs in {cosim['simulator']}" for cosim in demo.cosims]
     mismatches = sum(cosim["mismatches"] for cosim in demo.cosims)
-    lines = [f"{'PASS' if demo.passed else 'FAIL'}: VHDL against C++ core, {demo.match['config']}: {', '.join(parts)}; {mismatches:,} mismatches"]
+    lines = [
+        f"{'PASS' if demo.passed else 'FAIL'}: VHDL against C++ core, {demo.match['config']}: {', '.join(parts)}; {mismatches:,} mismatches"
+    ]
     paper = performance.PAPER_SYSTEM
     beside = (lambda value: f" (2007 paper: {value:,})") if demo.is_papers_size else (lambda value: "")
     facts, tool = [], demo.tool
@@ -198,4 +288,9 @@ def summary(demo):
     if "truth" in demo.match:
         facts.append(f"{bad_percent(demo.match['truth']):.2f} % bad pixels against the ground truth")
     lines += [", ".join(facts)] if facts else []
-    return "\n".join([*lines, f"{tool['memory_bits']:,} memory bits{beside(paper.memory_bits)}, {tool['register_bits']:,} register bits"])
+    return "\n".join(
+        [
+            *lines,
+            f"{tool['memory_bits']:,} memory bits{beside(paper.memory_bits)}, {tool['register_bits']:,} register bits",
+        ]
+    )

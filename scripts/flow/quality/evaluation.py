@@ -31,6 +31,9 @@ def evaluate(*words):
 
 def scene(seed, disparities, folder):
     """A generated pair of the size of Teddy: {option of `evaluate`: path}. `disparities`: the largest that it shows, and one."""
-    run([find_stereo_hls(), "scene", *SCENE_SIZE, "--disparities", disparities, "--seed", seed, "--out", folder], passes_errors=True)
+    run(
+        [find_stereo_hls(), "scene", *SCENE_SIZE, "--disparities", disparities, "--seed", seed, "--out", folder],
+        passes_errors=True,
+    )
     names = {"--left": "left", "--right": "right", "--truth-left": "disparity_left", "--truth-right": "disparity_right"}
     return {option: Path(folder) / f"{name}.png" for option, name in names.items()}

@@ -20,8 +20,15 @@ FORMAT = "stereo-hls exploration 1"
 PROGRAM = "build/release/stereo_hls"
 # Each option by the configuration that has it beside the plain core: its settings are those that were synthesised.
 COSTS = {"sad": hardware_cost.BASE, "ssd": "study_ssd", "census": "study_census"}
-SWITCHES = {"xsobel": "study_xsobel", "left_right": "study_left_right", "uniqueness": "study_uniqueness", "texture": "study_texture",
-            "subpixel": "study_subpixel", "median": "study_median", "left": "study_left"}
+SWITCHES = {
+    "xsobel": "study_xsobel",
+    "left_right": "study_left_right",
+    "uniqueness": "study_uniqueness",
+    "texture": "study_texture",
+    "subpixel": "study_subpixel",
+    "median": "study_median",
+    "left": "study_left",
+}
 
 
 @dataclass(frozen=True)
@@ -66,27 +73,48 @@ class Choice:
 def choices(sweep, family):
     """(choices, how many combinations were left out because no core has them)"""
     found, refused = [], 0
-    switch_sets = [tuple(s for s, on in zip(sweep.switches, flags) if on) for flags in itertools.product((False, True), repeat=len(sweep.switches))]
+    switch_sets = [
+        tuple(s for s, on in zip(sweep.switches, flags) if on)
+        for flags in itertools.product((False, True), repeat=len(sweep.switches))
+    ]
     for disparities, cost, window, switches in itertools.product(sweep.ranges, sweep.costs, sweep.windows, switch_sets):
-        if (cost == "census" and {"xsobel", "texture"} & set(switches)) or ("texture" in switches and "xsobel" not in switches):
+        if (cost == "census" and {"xsobel", "texture"} & set(switches)) or (
+            "texture" in switches and "xsobel" not in switches
+        ):
             refused += 1
             continue
         options = {}
         for name in (COSTS[cost], *(SWITCHES[switch] for switch in switches)):
             options |= family.options_of(name)
         options |= {"window_px": window, "disparities": disparities}
-        found.append(Choice(window, cost, disparities, switches, tuple(f"{key}={json.dumps(value).strip(chr(34))}" for key, value in options.items())))
+        found.append(
+            Choice(
+                window,
+                cost,
+                disparities,
+                switches,
+                tuple(f"{key}={json.dumps(value).strip(chr(34))}" for key, value in options.items()),
+            )
+        )
     return found, refused
 
 
 def generated_scenes(number, disparities, folder):
     """Pairs with truth of both images; `disparities`: the largest range that is explored."""
-    return [Pair(f"scene {seed}", *evaluation.scene(seed, disparities, folder / f"scene{seed}").values()) for seed in range(1, number + 1)]
+    return [
+        Pair(f"scene {seed}", *evaluation.scene(seed, disparities, folder / f"scene{seed}").values())
+        for seed in range(1, number + 1)
+    ]
 
 
 def words(pair, choice):
     """What `stereo_hls evaluate` takes."""
-    return [*pair.words(), "--config", hardware_cost.BASE, *itertools.chain(*(("--set", setting) for setting in choice.settings))]
+    return [
+        *pair.words(),
+        "--config",
+        hardware_cost.BASE,
+        *itertools.chain(*(("--set", setting) for setting in choice.settings)),
+    ]
 
 
 def command(pair, choice):
@@ -96,11 +124,18 @@ def command(pair, choice):
 def evaluate(pairs, all_choices, jobs):
     """[[method of each pair] of each choice]. Every evaluation is a process of its own, `jobs` at a time."""
     results = [[None] * len(pairs) for _ in all_choices]
-    with Progress(
-        TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn()
-    ) as bar, ThreadPoolExecutor(jobs) as pool:
+    with (
+        Progress(
+            TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn()
+        ) as bar,
+        ThreadPoolExecutor(jobs) as pool,
+    ):
         task = bar.add_task("", total=len(all_choices) * len(pairs))
-        futures = {pool.submit(evaluation.evaluate, *words(pair, choice)): (i, j) for i, choice in enumerate(all_choices) for j, pair in enumerate(pairs)}
+        futures = {
+            pool.submit(evaluation.evaluate, *words(pair, choice)): (i, j)
+            for i, choice in enumerate(all_choices)
+            for j, pair in enumerate(pairs)
+        }
         try:
             for future in as_completed(futures):
                 i, j = futures[future]
@@ -125,14 +160,26 @@ def rows(pairs, all_choices, methods, family, mask):
         if len(masks) != len(pairs):
             raise FlowError(f"a pair has no pixels in the region '{mask}'; non_occluded needs the truth of both images")
         cost = family.cost(of_pairs[0]["parameters"])
-        row = {"title": choice.title, "window": choice.window, "cost": choice.cost, "disparities": choice.disparities, "switches": list(choice.switches),
-               "luts": cost.luts, "luts_are": cost.kind, "luts_from": list(cost.sources), "luts_missing": list(cost.missing)}
+        row = {
+            "title": choice.title,
+            "window": choice.window,
+            "cost": choice.cost,
+            "disparities": choice.disparities,
+            "switches": list(choice.switches),
+            "luts": cost.luts,
+            "luts_are": cost.kind,
+            "luts_from": list(cost.sources),
+            "luts_missing": list(cost.missing),
+        }
         for name in evaluation.MEASURES:
             for way in ("invalid_bad", "valid_only"):
                 row[f"{name}_{way}_percent"] = 100 * _mean(m[name][way] for m in masks)
-        row |= {"density_percent": 100 * _mean(m["density"] for m in masks), "rms_px": _mean(m["rms_px"] for m in masks),
-                "milliseconds": _mean(method["milliseconds"] for method in of_pairs),
-                "commands": [command(pair, choice) for pair in pairs]}
+        row |= {
+            "density_percent": 100 * _mean(m["density"] for m in masks),
+            "rms_px": _mean(m["rms_px"] for m in masks),
+            "milliseconds": _mean(method["milliseconds"] for method in of_pairs),
+            "commands": [command(pair, choice) for pair in pairs],
+        }
         table.append(row)
     return table
 
@@ -142,13 +189,17 @@ def mark_front(table, key):
     for disparities in {row["disparities"] for row in table}:
         members = [row for row in table if row["disparities"] == disparities]
         best = float("inf")
-        for row in sorted(members, key=lambda row: (row["luts"] if row["luts"] is not None else float("inf"), row[key])):
+        for row in sorted(
+            members, key=lambda row: (row["luts"] if row["luts"] is not None else float("inf"), row[key])
+        ):
             row["front"] = row["luts"] is not None and row[key] < best
             best = row[key] if row["front"] else best
 
 
 def front(table, disparities):
-    return sorted((row for row in table if row["front"] and row["disparities"] == disparities), key=lambda row: row["luts"])
+    return sorted(
+        (row for row in table if row["front"] and row["disparities"] == disparities), key=lambda row: row["luts"]
+    )
 
 
 def write(out, content, table, picture):
@@ -159,6 +210,13 @@ def write(out, content, table, picture):
     writer.writerow([*names, "command"])
     for row in table:
         values = [" ".join(row[name]) if isinstance(row[name], list) else row[name] for name in names]
-        writer.writerow(["" if value is None else f"{value:.6g}" if isinstance(value, float) else value for value in values] + [" && ".join(row["commands"])])
-    for name, data in (("explore.json", json.dumps(content, indent=1) + "\n"), ("explore.csv", text.getvalue()), ("front.png", picture)):
+        writer.writerow(
+            ["" if value is None else f"{value:.6g}" if isinstance(value, float) else value for value in values]
+            + [" && ".join(row["commands"])]
+        )
+    for name, data in (
+        ("explore.json", json.dumps(content, indent=1) + "\n"),
+        ("explore.csv", text.getvalue()),
+        ("front.png", picture),
+    ):
         files.write(out / name, data)

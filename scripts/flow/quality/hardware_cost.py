@@ -19,9 +19,31 @@ BASE = "study"
 TARGET = "ecp5"
 MEASURED, ESTIMATE, ABSENT = "measured", "estimate", "absent"
 # What decides the result. The other parameters are the size, and how the core is built.
-OPTIONS = ("window_px", "min_disparity", "reference", "cost", "census_width_px", "census_height_px", "prefilter", "prefilter_cap", "ties",
-           "left_right_threshold", "uniqueness_percent", "texture_threshold", "subpixel", "median")
-_BUILD = ("pixels_per_clock", "cost_clocks", "winner_group", "slice_disparities", "width_px", "height_px", "disparities")
+OPTIONS = (
+    "window_px",
+    "min_disparity",
+    "reference",
+    "cost",
+    "census_width_px",
+    "census_height_px",
+    "prefilter",
+    "prefilter_cap",
+    "ties",
+    "left_right_threshold",
+    "uniqueness_percent",
+    "texture_threshold",
+    "subpixel",
+    "median",
+)
+_BUILD = (
+    "pixels_per_clock",
+    "cost_clocks",
+    "winner_group",
+    "slice_disparities",
+    "width_px",
+    "height_px",
+    "disparities",
+)
 _NEEDS = {"texture": "prefilter"}  # an option that is only there with another one
 # Of two sizes of the plain 3x3 core, to see how far proportion to the disparities holds.
 _SCALE_CHECK = ("study_w3", "ambrosch2007")
@@ -39,10 +61,18 @@ def features(parameters):
     """What costs hardware, by name: thresholds of any value cost the same check."""
     census = (parameters["census_width_px"], parameters["census_height_px"]) if parameters["cost"] == "census" else ()
     return {
-        "window": parameters["window_px"], "cost": (parameters["cost"], *census), "prefilter": parameters["prefilter"], "reference": parameters["reference"],
-        "ties": parameters["ties"], "min_disparity": parameters["min_disparity"], "left_right": parameters["left_right_threshold"] >= 0,
-        "uniqueness": parameters["uniqueness_percent"] > 0, "texture": parameters["texture_threshold"] > 0, "subpixel": parameters["subpixel"],
-        "median": parameters["median"]}
+        "window": parameters["window_px"],
+        "cost": (parameters["cost"], *census),
+        "prefilter": parameters["prefilter"],
+        "reference": parameters["reference"],
+        "ties": parameters["ties"],
+        "min_disparity": parameters["min_disparity"],
+        "left_right": parameters["left_right_threshold"] >= 0,
+        "uniqueness": parameters["uniqueness_percent"] > 0,
+        "texture": parameters["texture_threshold"] > 0,
+        "subpixel": parameters["subpixel"],
+        "median": parameters["median"],
+    }
 
 
 class Family:
@@ -77,7 +107,11 @@ class Family:
 
     @property
     def measured(self):
-        return sorted(name for name, configuration in self._known.items() if self._is_member(configuration) and TARGET in configuration.targets)
+        return sorted(
+            name
+            for name, configuration in self._known.items()
+            if self._is_member(configuration) and TARGET in configuration.targets
+        )
 
     def options_of(self, name):
         """NAME=VALUE for each option in which a configuration differs from the plain core."""
@@ -129,8 +163,10 @@ class Family:
             return None
         scale = large.parameters["disparities"] / small.parameters["disparities"]
         guess, truth = figures.lut_count(small.targets[TARGET]) * scale, figures.lut_count(large.targets[TARGET])
-        return (f"{_SCALE_CHECK[0]} in proportion to the disparities of {_SCALE_CHECK[1]} gives {guess:,.0f} LUT4, measured are {truth:,}: "
-                f"{100 * (guess / truth - 1):+.0f} %")
+        return (
+            f"{_SCALE_CHECK[0]} in proportion to the disparities of {_SCALE_CHECK[1]} gives {guess:,.0f} LUT4, measured are {truth:,}: "
+            f"{100 * (guess / truth - 1):+.0f} %"
+        )
 
 
 def _key(values):

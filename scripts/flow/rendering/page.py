@@ -38,7 +38,12 @@ def is_number(text):
 
 def render(template, **values):
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
     environment.filters |= {"number": number, "cell": cell, "png_uri": png_uri}
     environment.tests["numeric"] = is_number
     return environment.get_template(template).render(**values, percent=percent)

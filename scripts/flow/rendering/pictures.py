@@ -36,7 +36,10 @@ def libraries():
         import numpy
         from PIL import Image
     except ImportError as error:
-        raise FlowError(f"the Python package {error.name} is missing; on Debian: apt-get install python3-matplotlib", EXIT_MISSING_TOOL) from None
+        raise FlowError(
+            f"the Python package {error.name} is missing; on Debian: apt-get install python3-matplotlib",
+            EXIT_MISSING_TOOL,
+        ) from None
     return numpy, Image
 
 
@@ -126,8 +129,15 @@ def of_map(match, values, valid):
     colors[~valid] = rgb(REJECTED)
     legend = [] if valid.all() else [(REJECTED, "rejected by a check", percent((~valid).sum(), valid.size))]
     legend += [(NO_RANGE[1], "no complete disparity range", None)] if geometry.map_width < geometry.width else []
-    return Picture("Disparity", png(geometry.framed(colors)), f"Distance in columns between the {match['reference']} image's pixel and its match; near is red.",
-                   geometry.width, geometry.height, scale_labels(low, high), tuple(legend))
+    return Picture(
+        "Disparity",
+        png(geometry.framed(colors)),
+        f"Distance in columns between the {match['reference']} image's pixel and its match; near is red.",
+        geometry.width,
+        geometry.height,
+        scale_labels(low, high),
+        tuple(legend),
+    )
 
 
 def of_errors(match, values, valid, truth, visible):
@@ -142,16 +152,28 @@ def of_errors(match, values, valid, truth, visible):
     for high, color in ERRORS:
         members = (error > low) & (error <= high) if high else error > low
         colors[members] = rgb(color)
-        legend.append((color, f"{high:g} px or less" if low < 0 else f"up to {high:g} px" if high else f"more than {low:g} px",
-                       percent((members & counted).sum(), counted.sum())))
+        legend.append(
+            (
+                color,
+                f"{high:g} px or less" if low < 0 else f"up to {high:g} px" if high else f"more than {low:g} px",
+                percent((members & counted).sum(), counted.sum()),
+            )
+        )
         low = high
     colors[~valid] = rgb(REJECTED)
     colors[~visible] = rgb(HIDDEN)
     if not valid.all():
         legend.append((REJECTED, "rejected by a check", None))
     legend.append((HIDDEN, "hidden in the other image, not counted", None))
-    picture = Picture("Error against the ground truth", png(geometry.framed(colors)), "Per cent of the pixels that count: visible in both images and not rejected.",
-                      geometry.width, geometry.height, (), tuple(legend))
+    picture = Picture(
+        "Error against the ground truth",
+        png(geometry.framed(colors)),
+        "Per cent of the pixels that count: visible in both images and not rejected.",
+        geometry.width,
+        geometry.height,
+        (),
+        tuple(legend),
+    )
     return picture, int((counted & (error > 1)).sum())
 
 
@@ -165,10 +187,20 @@ def of_rejections(match, reference, values, valid, truth=None, visible=None):
         classes = [(MISSED, "rejected", ~valid)]
     else:
         wrong = (geometry.cut(visible) == 0) | (numpy.abs(values - geometry.cut(truth)) > 1)
-        classes = [(GOOD, "rejected, and hidden or off by more than 1 px", ~valid & wrong), (TOO_STRICT, "rejected, but right", ~valid & ~wrong),
-                   (MISSED, "passed, but hidden or off by more than 1 px", valid & wrong)]
+        classes = [
+            (GOOD, "rejected, and hidden or off by more than 1 px", ~valid & wrong),
+            (TOO_STRICT, "rejected, but right", ~valid & ~wrong),
+            (MISSED, "passed, but hidden or off by more than 1 px", valid & wrong),
+        ]
     for color, _, members in classes:
         colors[members] = rgb(color)
     legend = tuple((color, label, percent(members.sum(), members.size)) for color, label, members in classes)
-    return Picture("Rejections", png(geometry.framed(colors)), "What left/right, uniqueness or texture checks rejected. Per cent of the map's pixels.",
-                   geometry.width, geometry.height, (), legend)
+    return Picture(
+        "Rejections",
+        png(geometry.framed(colors)),
+        "What left/right, uniqueness or texture checks rejected. Per cent of the map's pixels.",
+        geometry.width,
+        geometry.height,
+        (),
+        legend,
+    )

@@ -33,7 +33,9 @@ class Result:
 @functools.lru_cache(maxsize=None)
 def library_paths(programs):
     """(cocotb's library for GHDL, that of Python)"""
-    return run([programs / "cocotb-config", "--lib-name-path", "vpi", "ghdl"]).strip(), run([programs / "find_libpython"]).strip()
+    return run([programs / "cocotb-config", "--lib-name-path", "vpi", "ghdl"]).strip(), run(
+        [programs / "find_libpython"]
+    ).strip()
 
 
 def environment_folder(say=print):
@@ -57,7 +59,9 @@ class Ghdl:
     def _analyse(self):
         run([find_ghdl(), "-a", GHDL_STANDARD, *self.files], cwd=self.work, log=self.work / "analyse.log")
 
-    def run(self, module, seed, out, tests=None, pairs=PAIRS, watchdog_seconds=300, pool_folder=None, stop_at_failure=False):
+    def run(
+        self, module, seed, out, tests=None, pairs=PAIRS, watchdog_seconds=300, pool_folder=None, stop_at_failure=False
+    ):
         """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `pool_folder`: a folder that
         make_pool has filled with the same pairs and seed. `stop_at_failure`: the tests after the first failed one fail, too."""
         out = Path(out).resolve()
@@ -67,10 +71,18 @@ class Ghdl:
         results.unlink(missing_ok=True)
         interface, python = library_paths(self.bin)
         environment = {
-            "MODULE": module, "TOPLEVEL": "stereo_ip", "TOPLEVEL_LANG": "vhdl", "COCOTB_RESULTS_FILE": str(results),
-            "RANDOM_SEED": str(seed), "STEREO_AXI_POOL": str(out / "pool.json"), "COCOTB_LOG_LEVEL": "INFO", "COCOTB_ANSI_OUTPUT": "0",
-            "PYTHONPATH": os.pathsep.join(map(str, (TESTS, ROOT / "scripts"))), "PYTHONDONTWRITEBYTECODE": "1",
-            "LIBPYTHON_LOC": python, "VIRTUAL_ENV": str(self.bin.parent),
+            "MODULE": module,
+            "TOPLEVEL": "stereo_ip",
+            "TOPLEVEL_LANG": "vhdl",
+            "COCOTB_RESULTS_FILE": str(results),
+            "RANDOM_SEED": str(seed),
+            "STEREO_AXI_POOL": str(out / "pool.json"),
+            "COCOTB_LOG_LEVEL": "INFO",
+            "COCOTB_ANSI_OUTPUT": "0",
+            "PYTHONPATH": os.pathsep.join(map(str, (TESTS, ROOT / "scripts"))),
+            "PYTHONDONTWRITEBYTECODE": "1",
+            "LIBPYTHON_LOC": python,
+            "VIRTUAL_ENV": str(self.bin.parent),
             "PATH": f"{self.bin}{os.pathsep}{os.environ['PATH']}",
         }
         if stop_at_failure:
@@ -78,8 +90,17 @@ class Ghdl:
         if tests:
             environment["TESTCASE"] = ",".join(tests)
         values = [f"-g{name}={value}" for name, value in self.generics.items()]
-        command = ["env", *(f"{name}={value}" for name, value in environment.items()), find_ghdl(), "-r", GHDL_STANDARD, "stereo_ip",
-                   *values, f"--vpi={interface}", "--ieee-asserts=disable-at-0"]
+        command = [
+            "env",
+            *(f"{name}={value}" for name, value in environment.items()),
+            find_ghdl(),
+            "-r",
+            GHDL_STANDARD,
+            "stereo_ip",
+            *values,
+            f"--vpi={interface}",
+            "--ieee-asserts=disable-at-0",
+        ]
         log = out / f"{module}.log"
         with log.open("w") as text:
             run_with_progress(command, lambda line: text.write(line + "\n"), watchdog_seconds, cwd=self.work)
@@ -89,7 +110,8 @@ class Ghdl:
         reuse, folder = folder is not None, folder or out / "pool"
         frames = pool.make_pool(self.config, self.parameters, pairs, seed, folder, reuse)
         content = {
-            "frames": [dataclasses.asdict(frame) for frame in frames], "seed": seed,
+            "frames": [dataclasses.asdict(frame) for frame in frames],
+            "seed": seed,
             "parameters": self.parameters | self.generics | {"clocks_of_one_frame": clocks_of_one_frame(Path(folder))},
         }
         (out / "pool.json").write_text(json.dumps(content))
@@ -115,5 +137,7 @@ def read_results(path, log):
         failure = case.find("failure")
         skipped = case.find("skipped") is not None
         if not skipped:
-            results.append(Result(case.get("name"), float(case.get("time")), failure is None, "" if failure is None else str(log)))
+            results.append(
+                Result(case.get("name"), float(case.get("time")), failure is None, "" if failure is None else str(log))
+            )
     return results

@@ -6,10 +6,30 @@ from ..synthesis import manifest
 
 RTL = ROOT / "hls" / "rtl"
 # In compile order, after the core's own files.
-SHELL = ("stream_register", "stream_fifo", "stream_credit", "stereo_framing", "stereo_frames", "frame_timer", "stereo_axis",
-         "stereo_register_map", "stereo_registers", "stereo_ip")
-GENERICS = ("width_px", "height_px", "disparities", "window_px", "pixels_per_clock", "disparity_bits", "output_width_px",
-            "latency_clocks", "flush_groups", "gap_groups")
+SHELL = (
+    "stream_register",
+    "stream_fifo",
+    "stream_credit",
+    "stereo_framing",
+    "stereo_frames",
+    "frame_timer",
+    "stereo_axis",
+    "stereo_register_map",
+    "stereo_registers",
+    "stereo_ip",
+)
+GENERICS = (
+    "width_px",
+    "height_px",
+    "disparities",
+    "window_px",
+    "pixels_per_clock",
+    "disparity_bits",
+    "output_width_px",
+    "latency_clocks",
+    "flush_groups",
+    "gap_groups",
+)
 
 
 def vhdl_files(config, core=None, shell=None):

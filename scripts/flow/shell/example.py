@@ -35,18 +35,42 @@ def build(work, seed=1, say=print):
     files = design.vhdl_files(CONFIG) + [FOLDER / f"{name}.vhd" for name in SOURCES]
     (work / "example_top.v").write_text(to_verilog(files, work, "example_top"))
     say("yosys ...")
-    run([find_yosys(), "-p", "read_verilog example_top.v; synth_ecp5 -abc9 -top example_top -json netlist.json"], cwd=work, log=work / "yosys.log")
+    run(
+        [find_yosys(), "-p", "read_verilog example_top.v; synth_ecp5 -abc9 -top example_top -json netlist.json"],
+        cwd=work,
+        log=work / "yosys.log",
+    )
     say("nextpnr ...")
     shutil.copy(FOLDER / "ulx3s.lpf", work)
-    run([router, *DEVICE_OPTIONS, "--json", "netlist.json", "--lpf", "ulx3s.lpf", "--seed", seed, "--report", "report.json",
-         "--textcfg", "example.config"], cwd=work, log=work / "nextpnr.log")
+    run(
+        [
+            router,
+            *DEVICE_OPTIONS,
+            "--json",
+            "netlist.json",
+            "--lpf",
+            "ulx3s.lpf",
+            "--seed",
+            seed,
+            "--report",
+            "report.json",
+            "--textcfg",
+            "example.config",
+        ],
+        cwd=work,
+        log=work / "nextpnr.log",
+    )
     run([find_ecppack(router), "example.config", "example.bit"], cwd=work, log=work / "ecppack.log")
     try:
         report = json.loads((work / "report.json").read_text())
         used = report["utilization"]
         return {
-            "luts": used["TRELLIS_COMB"]["used"], "flip_flops": used["TRELLIS_FF"]["used"], "fmax_mhz": nextpnr.fmax_mhz(report),
+            "luts": used["TRELLIS_COMB"]["used"],
+            "flip_flops": used["TRELLIS_FF"]["used"],
+            "fmax_mhz": nextpnr.fmax_mhz(report),
             "bit_stream": work / "example.bit",
         }
     except (OSError, ValueError, KeyError) as error:
-        raise FlowError(f"nextpnr wrote no usable report ({error}); see {work / 'nextpnr.log'}", EXIT_TOOL_FAILED) from None
+        raise FlowError(
+            f"nextpnr wrote no usable report ({error}); see {work / 'nextpnr.log'}", EXIT_TOOL_FAILED
+        ) from None

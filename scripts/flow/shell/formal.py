@@ -50,8 +50,10 @@ def prove(proof, work, rtl=RTL):
     work.mkdir(parents=True, exist_ok=True)
     files = [Path(rtl) / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
     (work / "design.v").write_text(to_verilog(files, work, top, proof.generics))
-    script = (f"read_verilog design.v; prep -flatten -top {top}; memory_map; setundef -undriven -zero; opt -full; techmap; opt; "
-              "dffunmap; simplemap; aigmap; opt_clean; write_aiger -zinit design.aig")
+    script = (
+        f"read_verilog design.v; prep -flatten -top {top}; memory_map; setundef -undriven -zero; opt -full; techmap; opt; "
+        "dffunmap; simplemap; aigmap; opt_clean; write_aiger -zinit design.aig"
+    )
     run([find_yosys(), "-p", script], cwd=work, log=work / "yosys.log")
     run([find_abc(), "-c", "read_aiger design.aig; strash; pdr"], cwd=work, log=work / "abc.log")
     said = (work / "abc.log").read_text()

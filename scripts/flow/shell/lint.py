@@ -12,8 +12,25 @@ from ..implementation.yosys import find_yosys
 from ..synthesis import manifest
 from . import design, example
 
-GHDL_WARNINGS = ("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port",
-                 "runtime-error", "shared", "hide", "unused", "others", "pure", "static", "error")
+GHDL_WARNINGS = (
+    "binding",
+    "reserved",
+    "nested-comment",
+    "parenthesis",
+    "delayed-checks",
+    "body",
+    "specs",
+    "universal",
+    "port",
+    "runtime-error",
+    "shared",
+    "hide",
+    "unused",
+    "others",
+    "pure",
+    "static",
+    "error",
+)
 NETLIST_WARNINGS = ("LATCH", "MULTIDRIVEN", "SELRANGE", "UNDRIVEN", "IMPLICIT", "PINMISSING")
 LONGEST_LINE = 128
 LONGEST_FILE = 400
@@ -28,13 +45,17 @@ def layout(path):
         found.append(f"{len(lines)} lines, at most {LONGEST_FILE}")
     for number, line in enumerate(lines, 1):
         code = re.sub(r'"[^"]*"', '""', line.partition("--")[0])
-        found += [f"line {number}: {what}" for what, wrong in (
-            (f"longer than {LONGEST_LINE} characters", len(line) > LONGEST_LINE),
-            ("a tab", "\t" in line),
-            ("blanks at the end", line != line.rstrip()),
-            ("a capital letter in the code", bool(re.search("[A-Z]", code))),
-            ("an odd indentation", (len(line) - len(line.lstrip())) % 2 == 1),
-        ) if wrong]
+        found += [
+            f"line {number}: {what}"
+            for what, wrong in (
+                (f"longer than {LONGEST_LINE} characters", len(line) > LONGEST_LINE),
+                ("a tab", "\t" in line),
+                ("blanks at the end", line != line.rstrip()),
+                ("a capital letter in the code", bool(re.search("[A-Z]", code))),
+                ("an odd indentation", (len(line) - len(line.lstrip())) % 2 == 1),
+            )
+            if wrong
+        ]
     return [f"{Path(path).name}: {sentence}" for sentence in found]
 
 
@@ -56,15 +77,36 @@ def netlist(files, generics, work):
     text = to_verilog(files, work, "stereo_ip", generics)
     verilog.write_text(text)
     # What GHDL writes for a signal that keeps its value outside a clocked process, or has none.
-    found = [f"latch, or no value: {name}" for name in re.findall(r"^ *assign (\S+) = \d+'b[xX]+; // \(signal\)$", text, re.MULTILINE)]
-    run([find_verilator(), "--lint-only", "-Wno-fatal", *(f"-Wwarn-{name}" for name in NETLIST_WARNINGS), "--top-module", "stereo_ip", verilog],
-        log=log)
-    found += [line for line in log.read_text().splitlines() if re.match(rf"%(Error|Warning-({'|'.join(NETLIST_WARNINGS)}))", line)]
-    script = f"read_verilog {verilog}; hierarchy -top stereo_ip; proc; flatten; check; select -count t:$dlatch t:$dlatchsr"
+    found = [
+        f"latch, or no value: {name}"
+        for name in re.findall(r"^ *assign (\S+) = \d+'b[xX]+; // \(signal\)$", text, re.MULTILINE)
+    ]
+    run(
+        [
+            find_verilator(),
+            "--lint-only",
+            "-Wno-fatal",
+            *(f"-Wwarn-{name}" for name in NETLIST_WARNINGS),
+            "--top-module",
+            "stereo_ip",
+            verilog,
+        ],
+        log=log,
+    )
+    found += [
+        line
+        for line in log.read_text().splitlines()
+        if re.match(rf"%(Error|Warning-({'|'.join(NETLIST_WARNINGS)}))", line)
+    ]
+    script = (
+        f"read_verilog {verilog}; hierarchy -top stereo_ip; proc; flatten; check; select -count t:$dlatch t:$dlatchsr"
+    )
     run([find_yosys(), "-p", script], log=log.with_name("yosys.log"))
     said = log.with_name("yosys.log").read_text()
     found += re.findall(r"^Warning: (?:found logic loop|multiple conflicting drivers).*$", said, re.MULTILINE)
-    return found + [f"{count} latches" for count in re.findall(r"^(\d+) objects\.$", said, re.MULTILINE) if count != "0"]
+    return found + [
+        f"{count} latches" for count in re.findall(r"^(\d+) objects\.$", said, re.MULTILINE) if count != "0"
+    ]
 
 
 def check(config, generics, work, shell=None, say=print):

@@ -31,7 +31,11 @@ class Geometry:
 
     @classmethod
     def of(cls, parameters):
-        return cls(parameters["width_px"], parameters["height_px"] // parameters["pixels_per_clock"], parameters["output_width_px"])
+        return cls(
+            parameters["width_px"],
+            parameters["height_px"] // parameters["pixels_per_clock"],
+            parameters["output_width_px"],
+        )
 
     @property
     def groups(self):
@@ -46,7 +50,9 @@ def make_pool(config, parameters, pairs, seed, folder, reuse=False):
     """2 * pairs different frames of noise: each pair upright and upside down. `reuse`: the folder was filled by the same call
     in this run already."""
     if reuse:
-        return [frame for number in range(pairs) for frame in _read_frames(Path(folder) / f"vectors_{number}", parameters)]
+        return [
+            frame for number in range(pairs) for frame in _read_frames(Path(folder) / f"vectors_{number}", parameters)
+        ]
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     generator = random.Random(f"pool {seed}")
@@ -56,8 +62,23 @@ def make_pool(config, parameters, pairs, seed, folder, reuse=False):
         for name in names:
             write_noise(name, parameters, generator, *LEVELS[number % len(LEVELS)])
         out = folder / f"vectors_{number}"
-        run([find_stereo_hls(), "vectors", "--config", config, "--left", names[0], "--right", names[1], "--frames", 2, "--out", out],
-            passes_errors=True)
+        run(
+            [
+                find_stereo_hls(),
+                "vectors",
+                "--config",
+                config,
+                "--left",
+                names[0],
+                "--right",
+                names[1],
+                "--frames",
+                2,
+                "--out",
+                out,
+            ],
+            passes_errors=True,
+        )
         frames += _read_frames(out, parameters)
     return frames
 
@@ -79,7 +100,9 @@ def _read_frames(folder, parameters):
     starts = [clock for clock, (_, start) in enumerate(stimulus) if start][:2]
     frames = []
     for number, start in enumerate(starts):
-        groups = tuple(int(words[start + i][2], 16) << pixel_bits | int(words[start + i][1], 16) for i in range(geometry.groups))
+        groups = tuple(
+            int(words[start + i][2], 16) << pixel_bits | int(words[start + i][1], 16) for i in range(geometry.groups)
+        )
         outputs = [output for output in expected if output.frame == number]
         if len(outputs) != geometry.results:
             raise FlowError(f"the C++ core gave {len(outputs)} outputs instead of {geometry.results}", 4)

@@ -22,7 +22,10 @@ def description():
 
 def by_name():
     """{register: the same with its fields as {name: field}}"""
-    return {entry["name"]: entry | {"fields": {field["name"]: field for field in entry.get("fields", [])}} for entry in description()}
+    return {
+        entry["name"]: entry | {"fields": {field["name"]: field for field in entry.get("fields", [])}}
+        for entry in description()
+    }
 
 
 def address_bits():
@@ -50,7 +53,9 @@ def vhdl_package():
             if field["high"] == field["low"]:
                 lines.append(f"  constant {name}_{field['name']} : natural := {field['low']};")
             else:
-                lines.append(f"  constant {name}_{field['name']}_bits : positive := {field['high'] - field['low'] + 1};")
+                lines.append(
+                    f"  constant {name}_{field['name']}_bits : positive := {field['high'] - field['low'] + 1};"
+                )
     return "\n".join([*lines, "end package;", ""])
 
 

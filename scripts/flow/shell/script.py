@@ -47,7 +47,10 @@ def broken(rng, pool, geometry, name, times=1):
 def reset_within(rng, pool, geometry):
     """A frame that a reset cuts off at a random clock, then correct frames of a source that starts anew."""
     beats = beats_of(rng.choice(pool), geometry)
-    return send(beats[: rng.randrange(1, len(beats))]) + [("idle", rng.randrange(1, 40)), ("reset", rng.choice((1, 1, 2, 5)))]
+    return send(beats[: rng.randrange(1, len(beats))]) + [
+        ("idle", rng.randrange(1, 40)),
+        ("reset", rng.choice((1, 1, 2, 5))),
+    ]
 
 
 def mixture(rng, pool, geometry, count):
@@ -87,5 +90,9 @@ def as_text(steps, seed):
     """The file for verilator_axi_bench.cpp: one step a line."""
     lines = [f"stereo-hls stream 1 seed={seed}"]
     for kind, *values in steps:
-        lines.append(f"b {values[0]:x} {values[1]}" if kind == "beat" else " ".join([kind[0] if kind != "rates" else "p", *map(str, values)]))
+        lines.append(
+            f"b {values[0]:x} {values[1]}"
+            if kind == "beat"
+            else " ".join([kind[0] if kind != "rates" else "p", *map(str, values)])
+        )
     return "\n".join(lines) + "\n"

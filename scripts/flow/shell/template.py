@@ -17,8 +17,11 @@ def ports():
 
 def widths(values):
     """The types of the ports with numbers instead of generics."""
-    numbers = {"16 * pixels_per_clock - 1": 16 * values["pixels_per_clock"] - 1, "address_bits - 1": registers.address_bits() - 1,
-               "disparity_bits * pixels_per_clock + 7": values["disparity_bits"] * values["pixels_per_clock"] + 7}
+    numbers = {
+        "16 * pixels_per_clock - 1": 16 * values["pixels_per_clock"] - 1,
+        "address_bits - 1": registers.address_bits() - 1,
+        "disparity_bits * pixels_per_clock + 7": values["disparity_bits"] * values["pixels_per_clock"] + 7,
+    }
 
     def plain(kind):
         for text, number in numbers.items():
@@ -34,12 +37,31 @@ def entity(config, values):
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
         f"-- stereo_ip for configuration {config}, with plain ports. Made by scripts/instantiate.py --config {config}. Compile before it:",
-        *(f"--   {path.relative_to(ROOT)}" for path in [*manifest.vhdl_files(GENERATED_RTL / config), *design.shell_files()]),
-        "library ieee;", "use ieee.std_logic_1164.all;", "", f"entity {name} is", "  port (",
+        *(
+            f"--   {path.relative_to(ROOT)}"
+            for path in [*manifest.vhdl_files(GENERATED_RTL / config), *design.shell_files()]
+        ),
+        "library ieee;",
+        "use ieee.std_logic_1164.all;",
+        "",
+        f"entity {name} is",
+        "  port (",
     ]
     plain = widths(values)
-    lines += [f"    {port} : {direction} {kind}{';' if place < len(plain) - 1 else ''}" for place, (port, direction, kind) in enumerate(plain)]
-    lines += ["  );", "end entity;", "", f"architecture wrapper of {name} is", "begin", instance(values, "ip"), "end architecture;", ""]
+    lines += [
+        f"    {port} : {direction} {kind}{';' if place < len(plain) - 1 else ''}"
+        for place, (port, direction, kind) in enumerate(plain)
+    ]
+    lines += [
+        "  );",
+        "end entity;",
+        "",
+        f"architecture wrapper of {name} is",
+        "begin",
+        instance(values, "ip"),
+        "end architecture;",
+        "",
+    ]
     return "\n".join(lines)
 
 

@@ -5,8 +5,10 @@ from xml.sax.saxutils import escape
 
 NAME_WIDTH, ROW_HEIGHT, WAVE_HEIGHT, SLANT = 130, 26, 16, 3
 DIGIT_WIDTH = 7.5
-STYLE = ("text{font:11px monospace;fill:#222}.v{font-size:9px;text-anchor:middle}.c{font-size:9px;fill:#888;text-anchor:middle}"
-         "path{fill:none;stroke:#1f4e79;stroke-width:1.4}.g{stroke:#ddd;stroke-width:1}.x{fill:#e6e6e6;stroke:#bbb}.b{fill:#eaf2fa}")
+STYLE = (
+    "text{font:11px monospace;fill:#222}.v{font-size:9px;text-anchor:middle}.c{font-size:9px;fill:#888;text-anchor:middle}"
+    "path{fill:none;stroke:#1f4e79;stroke-width:1.4}.g{stroke:#ddd;stroke-width:1}.x{fill:#e6e6e6;stroke:#bbb}.b{fill:#eaf2fa}"
+)
 
 
 def _bit(values, left, top, clock_width):
@@ -38,7 +40,9 @@ def _word(values, left, top, clock_width):
         x, width, middle = left + start * clock_width, (end - start) * clock_width, top + WAVE_HEIGHT / 2
         right, bottom = x + width, top + WAVE_HEIGHT
         kind = "x" if value is None else "b"
-        parts.append(f'<path class="{kind}" d="M{x} {middle}L{x + SLANT} {top}L{right - SLANT} {top}L{right} {middle}L{right - SLANT} {bottom}L{x + SLANT} {bottom}Z"/>')
+        parts.append(
+            f'<path class="{kind}" d="M{x} {middle}L{x + SLANT} {top}L{right - SLANT} {top}L{right} {middle}L{right - SLANT} {bottom}L{x + SLANT} {bottom}Z"/>'
+        )
         if value is not None:
             parts.append(f'<text class="v" x="{x + width / 2}" y="{middle + 3}">{escape(value)}</text>')
     return parts
@@ -50,15 +54,23 @@ def svg(signals, clocks):
     clock_width = max(30, round(DIGIT_WIDTH * max(map(len, texts), default=0)))
     width = NAME_WIDTH + len(clocks) * clock_width + 10
     height = (len(signals) + 1) * ROW_HEIGHT + 10
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}">',
-             f'<style>{STYLE}</style><rect width="100%" height="100%" fill="#fff"/>']
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}">',
+        f'<style>{STYLE}</style><rect width="100%" height="100%" fill="#fff"/>',
+    ]
     for place, clock in enumerate(clocks):
         x = NAME_WIDTH + place * clock_width
-        parts.append(f'<path class="g" d="M{x} 22L{x} {height - 6}"/><text class="c" x="{x + clock_width / 2}" y="16">{clock}</text>')
+        parts.append(
+            f'<path class="g" d="M{x} 22L{x} {height - 6}"/><text class="c" x="{x + clock_width / 2}" y="16">{clock}</text>'
+        )
     for row, (name, values) in enumerate(signals):
         top = (row + 1) * ROW_HEIGHT + 2
         parts.append(f'<text x="4" y="{top + WAVE_HEIGHT - 4}">{escape(name)}</text>')
-        parts += _word(values["word"], NAME_WIDTH, top, clock_width) if isinstance(values, dict) else _bit(values, NAME_WIDTH, top, clock_width)
+        parts += (
+            _word(values["word"], NAME_WIDTH, top, clock_width)
+            if isinstance(values, dict)
+            else _bit(values, NAME_WIDTH, top, clock_width)
+        )
     return "\n".join([*parts, "</svg>", ""])
 
 

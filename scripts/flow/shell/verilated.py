@@ -33,7 +33,9 @@ class Verilated:
         self.work = Path(work)
 
     def build(self):
-        simulators.build_once(self.work, [*self.files, BENCH, Path(__file__), Path(simulators.__file__)], self.generics, self._build)
+        simulators.build_once(
+            self.work, [*self.files, BENCH, Path(__file__), Path(simulators.__file__)], self.generics, self._build
+        )
 
     def _build(self):
         simulators.verilate(self.work, self.files, "stereo_ip", [BENCH], self.generics)
@@ -45,7 +47,9 @@ class Verilated:
         stream, observed = out / "stream.txt", out / "observed.txt"
         stream.write_text(script.as_text(steps, seed))
         observed.unlink(missing_ok=True)
-        run_with_progress([simulators.verilated_bench(self.work), stream, observed], lambda line: None, WATCHDOG_SECONDS, cwd=out)
+        run_with_progress(
+            [simulators.verilated_bench(self.work), stream, observed], lambda line: None, WATCHDOG_SECONDS, cwd=out
+        )
         return read_observation(observed)
 
 

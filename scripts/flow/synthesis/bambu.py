@@ -18,10 +18,19 @@ DEVICE = "LFE5U85F8BG756C"
 # The clock period only bounds what may share a state; a generous one keeps the whole loop body in one. The clock that
 # counts is the one after place and route.
 OPTIONS = [
-    "--compiler=I386_CLANG16", f"--top-fname={TOP}", "--generate-interface=INFER", "-wH", "--generate-components-library",
+    "--compiler=I386_CLANG16",
+    f"--top-fname={TOP}",
+    "--generate-interface=INFER",
+    "-wH",
+    "--generate-components-library",
     # Nothing can be shared inside one state; looking for sharing would take minutes.
-    "--module-binding=UNIQUE", "--register-allocation=UNIQUE_BINDING",
-    f"--device-name={DEVICE}", "--clock-period=400", "--distram-threshold=100000", "-O3", "-fno-slp-vectorize",
+    "--module-binding=UNIQUE",
+    "--register-allocation=UNIQUE_BINDING",
+    f"--device-name={DEVICE}",
+    "--clock-period=400",
+    "--distram-threshold=100000",
+    "-O3",
+    "-fno-slp-vectorize",
     # With more than 100 memories, as recursive sums have for many disparities, the front end would give up to look for what
     # a read depends on, take it to depend on another memory's write, and need a second state.
     "--extra-gcc-options=-mllvm -memssa-check-limit=1000000",
@@ -68,7 +77,8 @@ def read_log(text):
     """States, flip-flops and clock of the tool's own estimate."""
     found = {}
     for key, pattern in {
-        "states": r"Number of states: (\d+)", "flip_flops": r"Total number of flip-flops in function \w+: (\d+)",
+        "states": r"Number of states: (\d+)",
+        "flip_flops": r"Total number of flip-flops in function \w+: (\d+)",
         "mhz": r"Estimated max frequency \(MHz\): ([\d.]+)",
     }.items():
         matches = re.findall(pattern, text)
@@ -81,7 +91,11 @@ def read_log(text):
 def original_files(config):
     """The VHDL and memory images of the last run, the tool's components included: for co-simulation only, not for the repo."""
     directory = WORK / config
-    files = [directory / f"{TOP}.vhd", *sorted((directory / "bambu_lib" / "VHDL").glob("*.vhd")), *sorted(directory.glob("*.mem"))]
+    files = [
+        directory / f"{TOP}.vhd",
+        *sorted((directory / "bambu_lib" / "VHDL").glob("*.vhd")),
+        *sorted(directory.glob("*.mem")),
+    ]
     if len(files) < 2:
         raise FlowError(f"no output of Bambu in {directory}; run scripts/synthesize.py --config {config}")
     return files

@@ -20,14 +20,16 @@ TRACE_ROWS = 4  # that the naming trace covers at least, so that the rules at th
 
 def header(config, parameters, tool_run):
     size = f"{parameters['width_px']}x{parameters['height_px']}, {parameters['disparities']} disparities, {parameters['window_px']}x{parameters['window_px']} window, {parameters['pixels_per_clock']} pixel pairs a clock"
-    return "\n".join([
-        "-- SPDX-License-Identifier: Apache-2.0",
-        f"-- Stereo block-matching core, configuration {config}: {size}.",
-        *_options(parameters),
-        f"-- Made from hls/stereo_top.cpp by {tool_run.version} and scripts/synthesize.py. Do not edit:",
-        f"--   scripts/synthesize.py --config {config}",
-        "-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.",
-    ])
+    return "\n".join(
+        [
+            "-- SPDX-License-Identifier: Apache-2.0",
+            f"-- Stereo block-matching core, configuration {config}: {size}.",
+            *_options(parameters),
+            f"-- Made from hls/stereo_top.cpp by {tool_run.version} and scripts/synthesize.py. Do not edit:",
+            f"--   scripts/synthesize.py --config {config}",
+            "-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.",
+        ]
+    )
 
 
 def _options(parameters):
@@ -37,9 +39,16 @@ def _options(parameters):
         parts.append(f"census {parameters['census_width_px']}x{parameters['census_height_px']}")
     if parameters["prefilter"] != "none":
         parts.append(f"prefilter {parameters['prefilter']} with cap {parameters['prefilter_cap']}")
-    parts += [f"{text} {parameters[key]}" for key, text, off in (
-        ("min_disparity", "lowest disparity", 0), ("left_right_threshold", "left/right check, threshold", -1),
-        ("uniqueness_percent", "uniqueness check, percent", 0), ("texture_threshold", "texture check, threshold", 0)) if parameters[key] != off]
+    parts += [
+        f"{text} {parameters[key]}"
+        for key, text, off in (
+            ("min_disparity", "lowest disparity", 0),
+            ("left_right_threshold", "left/right check, threshold", -1),
+            ("uniqueness_percent", "uniqueness check, percent", 0),
+            ("texture_threshold", "texture check, threshold", 0),
+        )
+        if parameters[key] != off
+    ]
     parts += [key for key in ("subpixel", "median") if parameters[key]]
     return textwrap.wrap(", ".join(parts) + ".", 110, initial_indent="-- Options: ", subsequent_indent="--   ")
 
@@ -49,7 +58,10 @@ def netlist_of(config, parameters, design, work):
     netlist = lower(design)
     width, first_output = parameters["width_px"], parameters["groups_to_first_output"]
     groups = -(-2 * parameters["window_px"] // parameters["pixels_per_clock"])  # until every stored row holds pixels
-    clocks = max(max(TRACE_ROWS, groups + 2) * width + first_output % width, first_output + parameters["latency_clocks"] + 2 * width)
+    clocks = max(
+        max(TRACE_ROWS, groups + 2) * width + first_output % width,
+        first_output + parameters["latency_clocks"] + 2 * width,
+    )
     narrow_memories(netlist)
     join_memory_slices(netlist)
     run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)
@@ -68,11 +80,18 @@ def generate(config, say=print, out=None):
     netlist, named = netlist_of(config, parameters, design, tool_run.vhdl.parent)
     files = {
         "line_memory.vhd": (ROOT / "hls" / "rtl" / "line_memory.vhd").read_text(),
-        "stereo_core.vhd": VhdlWriter(netlist, header(config, parameters, tool_run), parameters["disparity_bits"]).write(),
+        "stereo_core.vhd": VhdlWriter(
+            netlist, header(config, parameters, tool_run), parameters["disparity_bits"]
+        ).write(),
     }
-    report = dict(tool_run.report, loop_states=len(state_sequence(design)[1]), registers=len(netlist.registers), registers_named=named,
-                  register_bits=sum(r.value.width for r in netlist.registers),
-                  memory_bits=sum(m.depth * m.width for m in netlist.memories))
+    report = dict(
+        tool_run.report,
+        loop_states=len(state_sequence(design)[1]),
+        registers=len(netlist.registers),
+        registers_named=named,
+        register_bits=sum(r.value.width for r in netlist.registers),
+        memory_bits=sum(m.depth * m.width for m in netlist.memories),
+    )
     target = Path(out) if out else GENERATED_RTL / config
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent) as temporary:

@@ -12,7 +12,16 @@ from ..base.families import keeps_vhdl
 from ..base.tools import GENERATED_RTL, ROOT
 
 FORMAT = "stereo-hls manifest 1"
-KEYS = {"format": str, "configuration": str, "parameters": dict, "sources": dict, "files": dict, "tool": str, "command": str, "tool_report": dict}
+KEYS = {
+    "format": str,
+    "configuration": str,
+    "parameters": dict,
+    "sources": dict,
+    "files": dict,
+    "tool": str,
+    "command": str,
+    "tool_report": dict,
+}
 
 
 def digest(path):
@@ -33,9 +42,16 @@ def source_digests():
     """Every file that decides what the VHDL looks like: the core, its memory cell, the names of its registers and the steps
     that write the VHDL."""
     synthesis, names = ROOT / "scripts" / "flow" / "synthesis", ROOT / "hls_tb" / "vectors"
-    return hardware_digests() | _digests([
-        ROOT / "hls" / "rtl" / "line_memory.vhd", names / "register_names.hpp", names / "slice_register_names.hpp",
-        synthesis / "bambu.py", synthesis / "generate.py", *sorted((synthesis / "lowering").rglob("*.py"))])
+    return hardware_digests() | _digests(
+        [
+            ROOT / "hls" / "rtl" / "line_memory.vhd",
+            names / "register_names.hpp",
+            names / "slice_register_names.hpp",
+            synthesis / "bambu.py",
+            synthesis / "generate.py",
+            *sorted((synthesis / "lowering").rglob("*.py")),
+        ]
+    )
 
 
 def write(directory, manifest):
@@ -49,7 +65,9 @@ def read(directory):
     try:
         manifest = json_files.load(path)
     except FileNotFoundError:
-        raise FlowError(f"no generated VHDL for '{name}': {path} is missing; run scripts/synthesize.py --config {name}") from None
+        raise FlowError(
+            f"no generated VHDL for '{name}': {path} is missing; run scripts/synthesize.py --config {name}"
+        ) from None
     except (OSError, ValueError) as error:
         raise FlowError(f"damaged manifest {path}: {getattr(error, 'strerror', None) or error}") from None
     missing = [key for key in KEYS if not isinstance(manifest, dict) or key not in manifest]
@@ -77,7 +95,9 @@ def vhdl_files(directory):
     for name, expected in entry["files"].items():
         path = directory / name
         if not path.is_file() and not keeps_vhdl(config):
-            raise FlowError(f"the repository does not keep the VHDL of {config}; make it with scripts/synthesize.py --config {config}, which needs Bambu")
+            raise FlowError(
+                f"the repository does not keep the VHDL of {config}; make it with scripts/synthesize.py --config {config}, which needs Bambu"
+            )
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
         if digest(path) != expected:
@@ -103,5 +123,7 @@ def stale_reasons(name, parameters):
     now = source_digests()
     for path in sorted(set(now) | set(manifest["sources"])):
         if now.get(path) != manifest["sources"].get(path):
-            reasons.append(f"{path} {'changed' if path in now and path in manifest['sources'] else 'is new' if path in now else 'is gone'}")
+            reasons.append(
+                f"{path} {'changed' if path in now and path in manifest['sources'] else 'is new' if path in now else 'is gone'}"
+            )
     return reasons

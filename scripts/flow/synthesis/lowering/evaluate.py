@@ -4,9 +4,18 @@
 from .expressions import walk
 
 _TEXT = {
-    "sub": "({0} - {1})", "abs": "abs({0})", "folded": "({0} if {0} >= 0 else -1 - {0})",
-    "positive": "max({0}, 0)", "mux": "({1} if {0} else {2})", "lt": "int({0} < {1})", "ge": "int({0} >= {1})",
-    "eq": "int({0} == {1})", "ne": "int({0} != {1})", "not": "(1 - {0})", "shl": "({0} << {p})", "shr": "({0} >> {p})",
+    "sub": "({0} - {1})",
+    "abs": "abs({0})",
+    "folded": "({0} if {0} >= 0 else -1 - {0})",
+    "positive": "max({0}, 0)",
+    "mux": "({1} if {0} else {2})",
+    "lt": "int({0} < {1})",
+    "ge": "int({0} >= {1})",
+    "eq": "int({0} == {1})",
+    "ne": "int({0} != {1})",
+    "not": "(1 - {0})",
+    "shl": "({0} << {p})",
+    "shr": "({0} >> {p})",
 }
 _JOIN = {"add": " + ", "mul": " * ", "and": " & ", "or": " | ", "xor": " ^ "}
 
@@ -52,7 +61,9 @@ def compile_step(netlist):
     compute(netlist.roots())
     for number, memory in enumerate(netlist.memories):
         lines.append(f" memories[{number}][{names[id(memory.write_address)]}] = {names[id(memory.write_data)]}")
-    lines.append(f" registers[:] = ({', '.join(names[id(r.next)] for r in netlist.registers)}{',' if netlist.registers else ''})")
+    lines.append(
+        f" registers[:] = ({', '.join(names[id(r.next)] for r in netlist.registers)}{',' if netlist.registers else ''})"
+    )
     lines.append(f" return {{{', '.join(f'{n!r}: {names[id(node)]}' for n, node in netlist.outputs.items())}}}")
     scope = {}
     exec("\n".join(lines), scope)  # the text is ours, made from the netlist above

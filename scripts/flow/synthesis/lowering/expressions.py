@@ -270,13 +270,25 @@ def mux(condition, yes, no):
 def _is_complement(node, a):
     """2**w - 1 - (a modulo 2**w), which is -1-a for the negative values that w bits hold."""
     top, low_bits = node.args
-    return (is_const(top) and low_bits.op == "wrap" and low_bits.args[0] is a and not low_bits.param[1]
-            and top.param == (1 << low_bits.param[0]) - 1 and a.low >= -(1 << low_bits.param[0]))
+    return (
+        is_const(top)
+        and low_bits.op == "wrap"
+        and low_bits.args[0] is a
+        and not low_bits.param[1]
+        and top.param == (1 << low_bits.param[0]) - 1
+        and a.low >= -(1 << low_bits.param[0])
+    )
 
 
 def _held_bit(yes, no):
     """(take, a) where a choice of `a or take` or `a and not take` gives its condition when `take`, else a."""
-    if yes.op == "or" and no.op == "and" and len(yes.args) == len(no.args) == 2 and yes.param is None and no.param is None:
+    if (
+        yes.op == "or"
+        and no.op == "and"
+        and len(yes.args) == len(no.args) == 2
+        and yes.param is None
+        and no.param is None
+    ):
         for a, take in (yes.args, yes.args[::-1]):
             if a in no.args and bit_not(take) in no.args:
                 return take, a
@@ -468,9 +480,21 @@ def rebuild(node, replacement, done):
 
 def _again(node, args):
     make = {
-        "wrap": lambda a: wrap(a, *node.param), "add": add, "sub": sub, "mul": mul, "abs": absolute, "folded": folded, "positive": positive, "mux": mux, "lt": less, "eq": equal,
-        "shl": lambda a: shift_left(a, node.param), "shr": lambda a: shift_right(a, node.param), "not": bit_not,
-        "ge": lambda a, b: bit_not(less(a, b)), "ne": lambda a, b: bit_not(equal(a, b)),
+        "wrap": lambda a: wrap(a, *node.param),
+        "add": add,
+        "sub": sub,
+        "mul": mul,
+        "abs": absolute,
+        "folded": folded,
+        "positive": positive,
+        "mux": mux,
+        "lt": less,
+        "eq": equal,
+        "shl": lambda a: shift_left(a, node.param),
+        "shr": lambda a: shift_right(a, node.param),
+        "not": bit_not,
+        "ge": lambda a, b: bit_not(less(a, b)),
+        "ne": lambda a, b: bit_not(equal(a, b)),
     }
     if not args:
         return node

@@ -162,7 +162,10 @@ class _Lowering:
         loads = self._active_ports(instance, "sel_LOAD", "in4r")
         stores = self._active_ports(instance, "sel_STORE", "in4w")
         if len(loads) != 1 or len(stores) != 1:
-            raise FlowError(f"memory {memory.name} has {len(loads)} reads and {len(stores)} writes a clock, not one each", EXIT_TOOL_FAILED)
+            raise FlowError(
+                f"memory {memory.name} has {len(loads)} reads and {len(stores)} writes a clock, not one each",
+                EXIT_TOOL_FAILED,
+            )
         address_bits = (memory.depth - 1).bit_length()
 
         def word_address(port, number):
@@ -196,7 +199,10 @@ class _Lowering:
         """The start-up states in order, and the loop state that follows itself."""
         startup, loop = state_sequence(self.design)
         if len(loop) != 1:
-            raise FlowError(f"the loop takes {len(loop)} states, not one: look for array_ref_*.mem files, they betray arrays in memory", EXIT_TOOL_FAILED)
+            raise FlowError(
+                f"the loop takes {len(loop)} states, not one: look for array_ref_*.mem files, they betray arrays in memory",
+                EXIT_TOOL_FAILED,
+            )
         return startup, loop[0]
 
     def _loop_state(self):
@@ -232,7 +238,10 @@ class _Lowering:
         result.substitute(constants)
         for memory in self.memories:
             bits = (memory.depth - 1).bit_length()
-            memory.read_address, memory.write_address = wrap(memory.read_address, bits), wrap(memory.write_address, bits)
+            memory.read_address, memory.write_address = (
+                wrap(memory.read_address, bits),
+                wrap(memory.write_address, bits),
+            )
         remove_unused(result)
         return result
 

@@ -20,7 +20,11 @@ def read_trace(path):
     File: "stereo-hls trace 1 config=NAME clocks=N", a line of names, then N lines of hexadecimal values.
     """
     lines = Path(path).read_text().splitlines()
-    if len(lines) < 3 or not lines[0].startswith("stereo-hls trace 1 ") or f"clocks={len(lines) - 2}" not in lines[0].split():
+    if (
+        len(lines) < 3
+        or not lines[0].startswith("stereo-hls trace 1 ")
+        or f"clocks={len(lines) - 2}" not in lines[0].split()
+    ):
         raise FlowError(f"{path}: not a complete 'trace' file of format 1", EXIT_TOOL_FAILED)
     rows = [[int(value, 16) for value in line.split()] for line in lines[2:]]
     return dict(zip(lines[1].split(), zip(*rows)))
@@ -35,10 +39,13 @@ def trace_netlist(netlist, trace):
         history.append(tuple(registers))
         outputs = step({name: trace[f"in_{name}"][clock] for name in netlist.inputs}, registers, memories)
         for name, value in outputs.items():
-            if value != trace[f"out_{name}"][clock] and (name not in ("disparity", "pixel_valid") or trace["out_disparity_valid"][clock]):
+            if value != trace[f"out_{name}"][clock] and (
+                name not in ("disparity", "pixel_valid") or trace["out_disparity_valid"][clock]
+            ):
                 raise FlowError(
                     f"the lowered netlist differs from the C++ core: clock {clock}, {name}: expected "
-                    f"{trace[f'out_{name}'][clock]}, got {value}", EXIT_TOOL_FAILED
+                    f"{trace[f'out_{name}'][clock]}, got {value}",
+                    EXIT_TOOL_FAILED,
                 )
     return list(zip(*history))
 
@@ -82,6 +89,8 @@ def name_registers(netlist, trace):
         order[register.name] = len(order)
     netlist.registers.sort(key=lambda r: order[r.name])
     for memory in netlist.memories:
-        reader = next((r.name for r in netlist.registers if any(node is memory.data for node in walk([r.next]))), memory.name)
+        reader = next(
+            (r.name for r in netlist.registers if any(node is memory.data for node in walk([r.next]))), memory.name
+        )
         memory.name = f"{reader}_memory"
     return named

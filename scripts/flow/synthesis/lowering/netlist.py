@@ -74,9 +74,13 @@ def join_memory_slices(netlist):
         initial = 0
         for register, low in parts.values():
             initial |= register.initial << low
-        whole = Register(f"{memory.name}_word", leaf("register", f"{memory.name}_word", memory.width), initial, memory.data)
+        whole = Register(
+            f"{memory.name}_word", leaf("register", f"{memory.name}_word", memory.width), initial, memory.data
+        )
         netlist.registers = [r for r in netlist.registers if id(r.value) not in parts] + [whole]
-        netlist.substitute({key: wrap(shift_right(whole.value, low), register.value.width) for key, (register, low) in parts.items()})
+        netlist.substitute(
+            {key: wrap(shift_right(whole.value, low), register.value.width) for key, (register, low) in parts.items()}
+        )
 
 
 def _slice_of(node, word):
@@ -114,7 +118,11 @@ def remove_unused(netlist):
             owner = by_value.get(id(node)) or by_data.get(id(node))
             if owner is not None and id(owner) not in alive:
                 alive.add(id(owner))
-                found += [owner.next] if isinstance(owner, Register) else [owner.read_address, owner.write_address, owner.write_data]
+                found += (
+                    [owner.next]
+                    if isinstance(owner, Register)
+                    else [owner.read_address, owner.write_address, owner.write_data]
+                )
         frontier = found
     netlist.registers = [r for r in netlist.registers if id(r) in alive]
     netlist.memories = [m for m in netlist.memories if id(m) in alive]

@@ -25,7 +25,9 @@ def memory_read_register(netlist, memory):
     takers = [r for r in netlist.registers if split_hold(r)[1] is memory.data]
     direct = sum(1 for root in netlist.roots() if root is memory.data)
     if len(takers) != 1 or len(users) + direct != 1:
-        raise FlowError(f"the read data of memory {memory.name} must go into one register and nowhere else", EXIT_TOOL_FAILED)
+        raise FlowError(
+            f"the read data of memory {memory.name} must go into one register and nowhere else", EXIT_TOOL_FAILED
+        )
     return takers[0], split_hold(takers[0])[0]
 
 

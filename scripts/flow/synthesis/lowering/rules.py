@@ -83,8 +83,12 @@ def _concat(cell):
 
 
 _COMPARISONS = {
-    "lt": lambda a, b: less(a, b), "gt": lambda a, b: less(b, a), "le": lambda a, b: bit_not(less(b, a)),
-    "ge": lambda a, b: bit_not(less(a, b)), "eq": equal, "ne": lambda a, b: bit_not(equal(a, b)),
+    "lt": lambda a, b: less(a, b),
+    "gt": lambda a, b: less(b, a),
+    "le": lambda a, b: bit_not(less(b, a)),
+    "ge": lambda a, b: bit_not(less(a, b)),
+    "eq": equal,
+    "ne": lambda a, b: bit_not(equal(a, b)),
 }
 
 
@@ -93,10 +97,20 @@ def _same(cell):
 
 
 def _rules():
-    rules = {kind: _same for kind in (
-        "UUdata_converter_FU", "UIdata_converter_FU", "IUdata_converter_FU", "IIdata_converter_FU", "addr_expr_FU",
-        "ASSIGN_UNSIGNED_FU", "ASSIGN_SIGNED_FU", "view_convert_expr_FU", "ui_view_convert_expr_FU",
-    )}
+    rules = {
+        kind: _same
+        for kind in (
+            "UUdata_converter_FU",
+            "UIdata_converter_FU",
+            "IUdata_converter_FU",
+            "IIdata_converter_FU",
+            "addr_expr_FU",
+            "ASSIGN_UNSIGNED_FU",
+            "ASSIGN_SIGNED_FU",
+            "view_convert_expr_FU",
+            "ui_view_convert_expr_FU",
+        )
+    }
     either = {
         "plus": lambda c: add(c["in1"], c["in2"]),
         "minus": lambda c: sub(c["in1"], c["in2"]),
@@ -123,15 +137,17 @@ def _rules():
         either[name] = lambda c, compare=compare: compare(c["in1"], c["in2"])
     for name, rule in either.items():
         rules[f"{name}_expr_FU"] = rules[f"ui_{name}_expr_FU"] = rule
-    rules.update({
-        "__builtin_abs": lambda c: absolute(c["in1"]),
-        "MUX_GATE": lambda c: mux(c["sel"], c["in1"], c["in2"]),
-        "lut_expr_FU": _lut,
-        "ui_fshl_expr_FU": _funnel_left,
-        "truth_and_expr_FU": lambda c: bit_and(_nonzero(c["in1"]), _nonzero(c["in2"])),
-        "truth_or_expr_FU": lambda c: bit_or(_nonzero(c["in1"]), _nonzero(c["in2"])),
-        "truth_not_expr_FU": lambda c: equal(c["in1"], const(0)),
-    })
+    rules.update(
+        {
+            "__builtin_abs": lambda c: absolute(c["in1"]),
+            "MUX_GATE": lambda c: mux(c["sel"], c["in1"], c["in2"]),
+            "lut_expr_FU": _lut,
+            "ui_fshl_expr_FU": _funnel_left,
+            "truth_and_expr_FU": lambda c: bit_and(_nonzero(c["in1"]), _nonzero(c["in2"])),
+            "truth_or_expr_FU": lambda c: bit_or(_nonzero(c["in1"]), _nonzero(c["in2"])),
+            "truth_not_expr_FU": lambda c: equal(c["in1"], const(0)),
+        }
+    )
     return rules
 
 

@@ -147,8 +147,12 @@ def _ports(text):
 
 
 def _read_states(text):
-    reset = re.search(r"reset *= *'0'\) then\s*present_state <= (\w+);", text) or fail("no reset state in the controller")
-    defaults, case = re.split(r"\bcase present_state is", _section(text, r"comb_logic0: process", r"end process"), maxsplit=1)
+    reset = re.search(r"reset *= *'0'\) then\s*present_state <= (\w+);", text) or fail(
+        "no reset state in the controller"
+    )
+    defaults, case = re.split(
+        r"\bcase present_state is", _section(text, r"comb_logic0: process", r"end process"), maxsplit=1
+    )
     start = {plain(name): int(value) for name, value in re.findall(rf"({_NAME}) <= '([01])';", defaults)}
     states = {}
     for name, body in re.findall(r"when (S_\w+) =>(.*?)(?=\bwhen )", case, re.DOTALL):

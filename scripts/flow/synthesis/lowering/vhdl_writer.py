@@ -65,8 +65,22 @@ HELPERS = """\
     return '0';
   end function;
 """
-_VARIABLE_KINDS = {"lt": "is_less", "ge": "is_not_less", "eq": "is_equal", "ne": "differs", "add": "sum", "sub": "difference", "mul": "product",
-                   "mux": "choice", "and": "all", "or": "any", "not": "inverse", "abs": "magnitude", "folded": "folded_value", "positive": "positive_value"}
+_VARIABLE_KINDS = {
+    "lt": "is_less",
+    "ge": "is_not_less",
+    "eq": "is_equal",
+    "ne": "differs",
+    "add": "sum",
+    "sub": "difference",
+    "mul": "product",
+    "mux": "choice",
+    "and": "all",
+    "or": "any",
+    "not": "inverse",
+    "abs": "magnitude",
+    "folded": "folded_value",
+    "positive": "positive_value",
+}
 
 
 class VhdlWriter:
@@ -89,9 +103,29 @@ class VhdlWriter:
 
     def write(self):
         process = self._process()  # first: it finds the variables
-        parts = [self.header, "library ieee;", "use ieee.std_logic_1164.all;", "use ieee.numeric_std.all;", "",
-                 "entity stereo_core is", "  port (", PORTS.format(high=8 * self.pixels - 1, disparity_high=self.output_bits["disparity"] - 1, rows=self.pixels - 1), "  );", "end entity;", "", "architecture rtl of stereo_core is",
-                 HELPERS, self._declarations(), "begin", self._ports(), self._memories(), process, "end architecture;"]
+        parts = [
+            self.header,
+            "library ieee;",
+            "use ieee.std_logic_1164.all;",
+            "use ieee.numeric_std.all;",
+            "",
+            "entity stereo_core is",
+            "  port (",
+            PORTS.format(
+                high=8 * self.pixels - 1, disparity_high=self.output_bits["disparity"] - 1, rows=self.pixels - 1
+            ),
+            "  );",
+            "end entity;",
+            "",
+            "architecture rtl of stereo_core is",
+            HELPERS,
+            self._declarations(),
+            "begin",
+            self._ports(),
+            self._memories(),
+            process,
+            "end architecture;",
+        ]
         return "\n".join(parts) + "\n"
 
     # --- declarations -------------------------------------------------------------------------------------------------
@@ -122,7 +156,13 @@ class VhdlWriter:
     def _ports(self):
         lines = []
         for name, node in self.netlist.inputs.items():
-            value = f"{name} = '1'" if node.is_bit else f"unsigned({name})" if is_wide(node) else f"to_integer(unsigned({name}))"
+            value = (
+                f"{name} = '1'"
+                if node.is_bit
+                else f"unsigned({name})"
+                if is_wide(node)
+                else f"to_integer(unsigned({name}))"
+            )
             lines.append(f"  in_{name} <= {value};")
         for name, node in self.netlist.outputs.items():
             if name in WORDS:
@@ -137,7 +177,9 @@ class VhdlWriter:
             register, enable = self.reads[id(memory)]
             for node in (memory.read_address, memory.write_address):
                 if id(node) not in self.names:
-                    raise FlowError(f"an address of memory {memory.name} does not come from a register", EXIT_TOOL_FAILED)
+                    raise FlowError(
+                        f"an address of memory {memory.name} does not come from a register", EXIT_TOOL_FAILED
+                    )
             lines += [
                 f"  {memory.name}_write_data <= {self.text.word(memory.write_data, memory.width)};",
                 f"  {memory.name} : entity work.line_memory",
@@ -159,13 +201,31 @@ class VhdlWriter:
             body.append(f"      -- {block}")
             for condition, members in self._by_enable(registers).items():
                 body += self._group(condition, members)
-        resets = [f"        {r.name} <= {_constant(r)};" for r in self.netlist.registers if id(r.value) in control and id(r) not in self.in_memory]
+        resets = [
+            f"        {r.name} <= {_constant(r)};"
+            for r in self.netlist.registers
+            if id(r.value) in control and id(r) not in self.in_memory
+        ]
         variables = {}
         for name, kind in self.variables.items():
             variables.setdefault(kind, []).append(name)
-        declared = [line for kind, names in variables.items() for line in _wrapped("    variable ", names, f" : {kind};")]
-        return "\n".join(["  process (clock)", *declared, "  begin", "    if rising_edge(clock) then", *body,
-                          "      if reset = '1' then", *resets, "      end if;", "    end if;", "  end process;"])
+        declared = [
+            line for kind, names in variables.items() for line in _wrapped("    variable ", names, f" : {kind};")
+        ]
+        return "\n".join(
+            [
+                "  process (clock)",
+                *declared,
+                "  begin",
+                "    if rising_edge(clock) then",
+                *body,
+                "      if reset = '1' then",
+                *resets,
+                "      end if;",
+                "    end if;",
+                "  end process;",
+            ]
+        )
 
     def _by_enable(self, registers):
         groups = {}
@@ -222,7 +282,11 @@ class VhdlWriter:
         if node.op == "const":
             return True
         _, is_word = self.names.get(id(node), (None, None))
-        return is_word == is_wide(target) and (node.is_bit, node.low < 0, node.width) == (target.is_bit, target.low < 0, target.width)
+        return is_word == is_wide(target) and (node.is_bit, node.low < 0, node.width) == (
+            target.is_bit,
+            target.low < 0,
+            target.width,
+        )
 
     def _conditional(self, name, target):
         """A choice of numbers as an if statement; None where a conditional assignment to a variable is safe. GHDL 2.0's
@@ -260,7 +324,9 @@ class VhdlWriter:
 def _constant(register):
     if register.value.is_bit:
         return "true" if register.initial else "false"
-    return f"to_unsigned({register.initial}, {register.value.width})" if is_wide(register.value) else str(register.initial)
+    return (
+        f"to_unsigned({register.initial}, {register.value.width})" if is_wide(register.value) else str(register.initial)
+    )
 
 
 def _wrapped(start, names, end):
