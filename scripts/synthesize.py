@@ -7,6 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import tools
+from flow.base.configurations import configuration, configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.families import keeps_vhdl
 from flow.synthesis.generate import generate
@@ -48,12 +49,12 @@ def main():
         "--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration"
     )
     options = parser.parse_args()
-    table = tools.configurations()
+    table = configurations()
     names = options.config or sorted(filter(keeps_vhdl, table))
     if "all" in names:
         names = sorted(table)
     for name in names:
-        tools.configuration(name, table)
+        configuration(name, table)
     if options.check:
         return check(names, table)
     tools.find_bambu()

@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.base.configurations import configuration
 from flow.base.errors import ArgumentParser, FlowError, run_command
-from flow.base.tools import configuration
 from flow.shell import verify
 
 

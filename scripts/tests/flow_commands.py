@@ -9,7 +9,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from flow.base.tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls
+from flow.base.configurations import configuration
+from flow.base.tools import GENERATED_RTL, ROOT, find_stereo_hls
 from flow.synthesis import manifest
 
 

@@ -7,8 +7,8 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
+from flow.base.configurations import configuration
 from flow.base.errors import EXIT_MISSING_TOOL, FlowError
-from flow.base.tools import configuration
 from flow.shell import cocotb_runs, design, judge, pool, script, verilated
 from flow.shell.broken import beats_of
 from flow_commands import call, refused

@@ -6,7 +6,8 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
-from flow.base.tools import GENERATED_RTL, configuration
+from flow.base.configurations import configuration
+from flow.base.tools import GENERATED_RTL
 from flow.pages import quality
 from flow_commands import cosim, random_pair, report, scene
 

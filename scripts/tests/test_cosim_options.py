@@ -3,8 +3,9 @@
 
 import pytest
 
+from flow.base.configurations import configurations
 from flow.base.families import OPTION, SYSTEM, family, keeps_vhdl
-from flow.base.tools import GENERATED_RTL, configurations
+from flow.base.tools import GENERATED_RTL
 from flow.cosim.simulators import to_verilog
 from flow.synthesis import manifest
 from flow_commands import cosim, random_pair, report, scene

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from flow.base.configurations import configurations
 from flow.base.families import STUDY, family
-from flow.base.tools import GENERATED_RTL, configurations, find_stereo_hls
+from flow.base.tools import GENERATED_RTL, find_stereo_hls
 from flow.implementation import figures, results
 from flow.quality import explore, hardware_cost
 from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family

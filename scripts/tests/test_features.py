@@ -5,8 +5,9 @@ import shutil
 
 import pytest
 
+from flow.base.configurations import configurations
 from flow.base.families import STUDY, family
-from flow.base.tools import GENERATED_RTL, configurations
+from flow.base.tools import GENERATED_RTL
 from flow.implementation import job as implement, results
 from flow.pages import features
 from flow.synthesis import manifest

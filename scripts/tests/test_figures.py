@@ -3,7 +3,7 @@
 
 import pytest
 
-from flow.base.tools import configurations
+from flow.base.configurations import configurations
 from flow.implementation import figures
 
 PAPER_P2 = {"width_px": 320, "height_px": 240, "disparities": 100, "pixels_per_clock": 2, "gap_groups": 0}

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """From the tool's VHDL to a netlist: what is read, what the controller becomes, and what is refused."""
 
+import re
+
 import pytest
 
 from design_text import DESIGN
 from flow.base.errors import FlowError
+from flow.base.tools import ROOT
+from flow.synthesis.lowering.cleanup import remove_unused
+from flow.synthesis.lowering.control import remove_control
 from flow.synthesis.lowering.evaluate import compile_step, initial_state
 from flow.synthesis.lowering.lower import lower
+from flow.synthesis.lowering.passes import PASSES
 from flow.synthesis.lowering.vhdl_reader import read_design
 
 
@@ -17,7 +23,11 @@ def lowered(tmp_path, *changes):
         text = text.replace(old, new)
     path = tmp_path / "design.vhd"
     path.write_text(text)
-    return lower(read_design(path))
+    design = read_design(path)
+    netlist = lower(design)
+    remove_control(netlist, design)
+    remove_unused(netlist)
+    return netlist
 
 
 def run(netlist, valid):
@@ -100,3 +110,9 @@ def test_what_is_not_understood_is_named(tmp_path, changes, message):
 def test_a_missing_file_is_said(tmp_path):
     with pytest.raises(FlowError, match="cannot read the tool's VHDL"):
         read_design(tmp_path / "nothing.vhd")
+
+
+def test_the_page_has_the_passes_in_their_order():
+    page = (ROOT / "docs" / "lowering.md").read_text()
+    table = page.partition("| pass | file | test |\n|---|---|---|\n")[2].partition("\n\n")[0]
+    assert re.findall(r"^\| (.+?) \|", table, re.MULTILINE) == [step.name for step in PASSES]

@@ -4,17 +4,18 @@
 import pytest
 
 from flow.base import tools
+from flow.base.configurations import configuration, configurations
 from flow.base.families import keeps_vhdl
 from flow.synthesis import generate, manifest
 from flow_commands import call
 
 # Of the others the repository has no VHDL.
-CONFIGURATIONS = sorted(filter(keeps_vhdl, tools.configurations()))
+CONFIGURATIONS = sorted(filter(keeps_vhdl, configurations()))
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_is_up_to_date(name):
-    reasons = manifest.stale_reasons(name, tools.configuration(name))
+    reasons = manifest.stale_reasons(name, configuration(name))
     assert not reasons, (
         f"generated_rtl/{name} is stale ({'; '.join(reasons)}); run scripts/synthesize.py --config {name}"
     )
@@ -41,7 +42,7 @@ def test_generated_vhdl_says_where_it_came_from(name):
 
 def test_every_folder_is_a_configuration():
     folders = {path.name for path in tools.GENERATED_RTL.iterdir()}
-    assert folders >= set(CONFIGURATIONS) and folders <= set(tools.configurations())
+    assert folders >= set(CONFIGURATIONS) and folders <= set(configurations())
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -72,7 +73,7 @@ def project(tmp_path, monkeypatch):
 
 
 def test_a_changed_new_or_missing_source_makes_the_vhdl_stale(project):
-    parameters = tools.configuration("tiny")
+    parameters = configuration("tiny")
     assert manifest.stale_reasons("tiny", parameters) == []
     block = project / "hls" / "sad_cost.hpp"
     block.write_text(block.read_text().replace("255", "254", 1))
@@ -95,7 +96,7 @@ def test_a_changed_new_or_missing_source_makes_the_vhdl_stale(project):
 
 
 def test_vhdl_that_is_not_what_was_made_is_said(project):
-    parameters = tools.configuration("tiny")
+    parameters = configuration("tiny")
     design = project / "generated_rtl" / "tiny" / "stereo_core.vhd"
     design.write_text(design.read_text() + "-- by hand\n")
     (project / "generated_rtl" / "tiny" / "line_memory.vhd").unlink()
@@ -105,8 +106,8 @@ def test_vhdl_that_is_not_what_was_made_is_said(project):
 def test_a_changed_row_of_the_table_makes_only_its_vhdl_stale(project):
     table = project / "hls" / "configurations.hpp"
     table.write_text(table.read_text() + "// another configuration\n")
-    assert manifest.stale_reasons("ambrosch2007", tools.configuration("ambrosch2007")) == []
-    changed = dict(tools.configuration("tiny"), disparities=9)
+    assert manifest.stale_reasons("ambrosch2007", configuration("ambrosch2007")) == []
+    changed = dict(configuration("tiny"), disparities=9)
     assert manifest.stale_reasons("tiny", changed) == ["its row in hls/configurations.hpp changed"]
 
 
@@ -155,8 +156,7 @@ def test_a_log_without_figures_is_refused():
 
 
 def test_header_fits_the_line():
-    assert all(len(line) <= 120 for line in generate.header("x", tools.configuration("tiny"), FakeRun()).splitlines())
-
-
-class FakeRun:
-    version = "PandA Bambu 2024.10 revision 683d87153"
+    assert all(
+        len(line) <= 120
+        for line in generate.header("x", configuration("tiny"), "PandA Bambu 2024.10 revision 683d87153").splitlines()
+    )

@@ -9,7 +9,7 @@ import pytest
 
 from browser import look
 from conftest import need
-from flow.base.tools import configuration
+from flow.base.configurations import configuration
 from flow.cosim import job as flow_cosim, mismatch, waveform
 from flow.cosim.vcd import Values, cut
 from flow.rendering import pictures

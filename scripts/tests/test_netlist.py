@@ -4,7 +4,9 @@
 import pytest
 
 from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.cleanup import merge_twins, remove_unused
 from flow.synthesis.lowering.evaluate import compile_step
+from flow.synthesis.lowering.memories import join_memory_slices, narrow_memories
 
 WIDTHS = {"a": 8, "b": 8, "c": 3, "s": 1, "t": 1}
 
@@ -127,8 +129,8 @@ def test_twins_are_merged_and_unused_registers_dropped():
     after = netlist.Register("after", n.leaf("register", "after", 8), 0, two.value)
     alone = netlist.Register("alone", n.leaf("register", "alone", 8), 1, a)
     design = netlist.Netlist({"a": a}, {"out": n.add(one.value, after.value)}, [one, two, after, alone])
-    netlist.merge_twins(design)
-    netlist.remove_unused(design)
+    merge_twins(design)
+    remove_unused(design)
     assert [r.name for r in design.registers] == ["one", "after"]
     assert after.next is one.value
 
@@ -153,8 +155,19 @@ def test_the_pieces_of_a_word_behind_a_memory_become_one_register():
     design = netlist.Netlist(
         {"a": n.leaf("input", "a", 8)}, {"low": low.value, "high": high.value}, [address, low, high], [memory]
     )
-    netlist.join_memory_slices(design)
+    join_memory_slices(design)
     assert [r.name for r in design.registers] == ["address", "m_word"]
     word = design.registers[1]
     assert word.next is data and word.initial == 5 | 1 << 3
     assert design.outputs == {"low": n.wrap(word.value, 3), "high": n.shift_right(word.value, 3)}
+
+
+def test_bits_of_a_memory_that_nobody_reads_are_dropped():
+    address = netlist.Register("address", n.leaf("register", "address", 2))
+    data, written = n.leaf("memory", "m", 8), n.leaf("input", "a", 8)
+    word = netlist.Register("word", n.leaf("register", "word", 5), 0, n.wrap(data, 5))
+    memory = netlist.Memory("m", 4, 8, data, address.value, address.value, written)
+    design = netlist.Netlist({"a": written}, {"out": word.value}, [address, word], [memory])
+    narrow_memories(design)
+    assert (memory.width, memory.write_data) == (5, n.wrap(written, 5))
+    assert word.next is memory.data is n.leaf("memory", "m", 5)

@@ -5,15 +5,14 @@ import pytest
 
 from conftest import need
 from flow.base import tools
+from flow.base.configurations import configurations
 from flow.base.families import keeps_vhdl
 from flow.synthesis import manifest
 from flow_commands import call, cosim, random_pair, report
 
 # The large ones with several pixels a clock take minutes each; they are made by the same steps.
 CONFIGURATIONS = [
-    name
-    for name in sorted(filter(keeps_vhdl, tools.configurations()))
-    if name not in ("ambrosch2007_p2", "ambrosch2007_p4")
+    name for name in sorted(filter(keeps_vhdl, configurations())) if name not in ("ambrosch2007_p2", "ambrosch2007_p4")
 ]
 
 

@@ -10,6 +10,7 @@ from flow.base.tools import GENERATED_RTL
 from flow.cosim import vectors
 from flow.cosim.simulators import Ghdl, to_verilog
 from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.cleanup import remove_unused
 from flow.synthesis.lowering.evaluate import compile_step, initial_state
 from flow.synthesis.lowering.ranges import narrow_registers
 from flow.synthesis.lowering.reset import control_registers, split_hold
@@ -112,7 +113,7 @@ def run_in_python(design, stimulus):
 def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part):
     design = random_netlist(rng)
     narrow_registers(design)
-    netlist.remove_unused(design)
+    remove_unused(design)
     (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- random netlist").write())
     stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
     lines = [

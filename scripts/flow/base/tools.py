@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the programs this flow calls, and calls them."""
 
-import json
 import os
 import selectors
 import shutil
@@ -49,23 +48,6 @@ def find_stereo_hls():
         f"stereo_hls not found at {candidates[0]}; build it with: cmake --preset release && cmake --build --preset release",
         EXIT_MISSING_TOOL,
     )
-
-
-def configurations():
-    """The table of named configurations, as the C++ has it."""
-    program = find_stereo_hls()
-    try:
-        return json.loads(run([program, "configurations", "--json"]))
-    except ValueError:
-        raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
-
-
-def configuration(name, table=None):
-    """One row of the table, which is asked for where it is not given."""
-    table = configurations() if table is None else table
-    if name not in table:
-        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(sorted(table))}")
-    return table[name]
 
 
 def run(command, cwd=None, log=None, passes_errors=False):

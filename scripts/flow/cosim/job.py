@@ -12,8 +12,9 @@ from typing import Optional
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from ..base.configurations import configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
-from ..base.tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls, run
+from ..base.tools import GENERATED_RTL, ROOT, find_stereo_hls, run
 from ..implementation import figures
 from ..synthesis import manifest
 from ..synthesis.bambu import original_files

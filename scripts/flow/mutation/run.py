@@ -12,8 +12,9 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import GENERATED_RTL, ROOT, configuration, find_ghdl, find_stereo_hls, run
+from ..base.tools import GENERATED_RTL, ROOT, find_ghdl, find_stereo_hls, run
 from ..cosim import checker, simulators, vectors
 from ..cosim.simulators import GHDL_STANDARD, Ghdl
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script

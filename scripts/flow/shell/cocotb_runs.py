@@ -9,8 +9,9 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from ..base import venv
+from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, configuration, find_ghdl, run, run_with_progress
+from ..base.tools import ROOT, find_ghdl, run, run_with_progress
 from ..cosim import vectors
 from ..cosim.simulators import GHDL_STANDARD, build_once
 from . import design, pool

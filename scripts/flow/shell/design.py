@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The files and generics of stereo_ip for one configuration."""
 
-from ..base.tools import GENERATED_RTL, ROOT, configuration
+from ..base.configurations import configuration
+from ..base.tools import GENERATED_RTL, ROOT
 from ..synthesis import manifest
 
 RTL = ROOT / "hls" / "rtl"

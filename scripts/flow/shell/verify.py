@@ -8,8 +8,9 @@ import xml.etree.ElementTree as xml
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from ..base.configurations import configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK
-from ..base.tools import ROOT, configuration
+from ..base.tools import ROOT
 from . import cocotb_runs, judge, pool, script, verilated
 from .broken import CASES, beats_of
 from .contract import RESULT_START

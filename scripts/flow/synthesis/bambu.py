@@ -8,9 +8,10 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..base.configurations import Parameters
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_bambu, run
-from .manifest import hardware_digests
+from .manifest import Estimate, hardware_digests
 
 TOP = "stereo_core"
 WORK = ROOT / "build" / "synthesis"
@@ -31,8 +32,8 @@ OPTIONS = [
     "--distram-threshold=100000",
     "-O3",
     "-fno-slp-vectorize",
-    # With more than 100 memories, as recursive sums have for many disparities, the front end would give up to look for what
-    # a read depends on, take it to depend on another memory's write, and need a second state.
+    # With more than 100 memories, as recursive sums have for many disparities, the front end would give up to look for
+    # what a read depends on, take it to depend on another memory's write, and need a second state.
     "--extra-gcc-options=-mllvm -memssa-check-limit=1000000",
 ]
 
@@ -42,10 +43,10 @@ class ToolRun:
     vhdl: Path  # the design
     version: str
     command: str  # as a user would type it in the project's root
-    report: dict
+    report: Estimate
 
 
-def synthesize(config, parameters):
+def synthesize(config: str, parameters: Parameters) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory = WORK / config
@@ -65,7 +66,7 @@ def synthesize(config, parameters):
     return ToolRun(vhdl=directory / f"{TOP}.vhd", version=version, command=command, report=read_log(log.read_text()))
 
 
-def tool_version(bambu):
+def tool_version(bambu: str) -> str:
     text = run([bambu, "--version"])
     match = re.search(r"Version: PandA (\S+) - Revision (\w+)", text)
     if not match:
@@ -73,29 +74,30 @@ def tool_version(bambu):
     return f"PandA Bambu {match.group(1)} revision {match.group(2)[:9]}"
 
 
-def read_log(text):
-    """States, flip-flops and clock of the tool's own estimate."""
-    found = {}
-    for key, pattern in {
-        "states": r"Number of states: (\d+)",
-        "flip_flops": r"Total number of flip-flops in function \w+: (\d+)",
-        "mhz": r"Estimated max frequency \(MHz\): ([\d.]+)",
-    }.items():
-        matches = re.findall(pattern, text)
-        if not matches:
-            raise FlowError(f"the tool's log has no line '{pattern}'", EXIT_TOOL_FAILED)
-        found[key] = round(float(matches[-1]), 2) if "." in matches[-1] else int(matches[-1])
-    return found
+def read_log(text: str) -> Estimate:
+    """The tool's own estimate."""
+    states = _last_number(r"Number of states: (\d+)", text)
+    flip_flops = _last_number(r"Total number of flip-flops in function \w+: (\d+)", text)
+    mhz = _last_number(r"Estimated max frequency \(MHz\): ([\d.]+)", text)
+    return {
+        "states": int(states),
+        "flip_flops": int(flip_flops),
+        "mhz": round(float(mhz), 2) if "." in mhz else int(mhz),
+    }
 
 
-def original_files(config):
+def _last_number(pattern: str, text: str) -> str:
+    found: list[str] = re.findall(pattern, text)
+    if not found:
+        raise FlowError(f"the tool's log has no line '{pattern}'", EXIT_TOOL_FAILED)
+    return found[-1]
+
+
+def original_files(config: str) -> list[Path]:
     """The VHDL and memory images of the last run, the tool's components included: for co-simulation only, not for the repo."""
     directory = WORK / config
-    files = [
-        directory / f"{TOP}.vhd",
-        *sorted((directory / "bambu_lib" / "VHDL").glob("*.vhd")),
-        *sorted(directory.glob("*.mem")),
-    ]
+    components, memories = (directory / "bambu_lib" / "VHDL").glob("*.vhd"), directory.glob("*.mem")
+    files = [directory / f"{TOP}.vhd", *sorted(components), *sorted(memories)]
     if len(files) < 2:
         raise FlowError(f"no output of Bambu in {directory}; run scripts/synthesize.py --config {config}")
     return files

@@ -4,9 +4,12 @@
 import hashlib
 import json
 import re
+from collections.abc import Iterable
 from pathlib import Path
+from typing import TypedDict
 
 from ..base import json_files
+from ..base.configurations import Parameters
 from ..base.errors import FlowError
 from ..base.families import keeps_vhdl
 from ..base.tools import GENERATED_RTL, ROOT
@@ -22,23 +25,53 @@ KEYS = {
     "command": str,
     "tool_report": dict,
 }
+Digests = dict[str, str]  # {file: SHA-256}
 
 
-def digest(path):
-    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+class Estimate(TypedDict):
+    """What Bambu says of its own design."""
+
+    states: int
+    flip_flops: int
+    mhz: float
 
 
-def _digests(paths):
+class ToolReport(Estimate):
+    """That, and what the netlist has."""
+
+    loop_states: int
+    registers: int
+    registers_named: int  # after the C++
+    register_bits: int
+    memory_bits: int
+
+
+class Manifest(TypedDict):
+    format: str
+    configuration: str
+    parameters: Parameters
+    sources: Digests
+    files: Digests
+    tool: str
+    command: str
+    tool_report: ToolReport
+
+
+def digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _digests(paths: Iterable[Path]) -> Digests:
     return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
 
-def hardware_digests():
+def hardware_digests() -> Digests:
     """The C++ of the core. The table of configurations is left out: a manifest holds the one row that counts, so that a new
     configuration does not make the others stale."""
     return _digests(path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp")
 
 
-def source_digests():
+def source_digests() -> Digests:
     """Every file that decides what the VHDL looks like: the core, its memory cell, the names of its registers and the steps
     that write the VHDL."""
     synthesis, names = ROOT / "scripts" / "flow" / "synthesis", ROOT / "hls_tb" / "vectors"
@@ -54,14 +87,22 @@ def source_digests():
     )
 
 
-def write(directory, manifest):
-    (Path(directory) / "manifest.json").write_text(json.dumps(manifest, indent=2, sort_keys=True) + "\n")
+def known_configurations() -> list[str]:
+    """The folders with a manifest. Some may lack the VHDL, which the repository does not keep of all."""
+    return sorted(path.parent.name for path in GENERATED_RTL.glob("*/manifest.json"))
 
 
-def read(directory):
+def has_vhdl(name: str) -> bool:
+    return all((GENERATED_RTL / name / file).is_file() for file in read(GENERATED_RTL / name)["files"])
+
+
+def write(directory: Path, manifest: Manifest) -> None:
+    (directory / "manifest.json").write_text(json.dumps(manifest, indent=2, sort_keys=True) + "\n")
+
+
+def read(directory: Path) -> Manifest:
     """The manifest of one generated_rtl/ folder, checked for its keys."""
-    path = Path(directory) / "manifest.json"
-    name = Path(directory).name
+    path, name = directory / "manifest.json", directory.name
     try:
         manifest = json_files.load(path)
     except FileNotFoundError:
@@ -79,24 +120,25 @@ def read(directory):
     unusable += [key for key in ("sources", "files") if key not in unusable and not _are_digests(manifest[key])]
     if unusable:
         raise FlowError(f"damaged manifest {path}: unusable {', '.join(unusable)}")
-    return manifest
+    checked: Manifest = manifest
+    return checked
 
 
-def _are_digests(entries):
+def _are_digests(entries: dict[str, object]) -> bool:
     return all(re.fullmatch(r"[\w./-]{1,200}", name) and isinstance(value, str) for name, value in entries.items())
 
 
-def vhdl_files(directory):
+def vhdl_files(directory: Path) -> list[Path]:
     """The VHDL of one folder in compile order, each checked against its digest."""
-    directory = Path(directory)
-    paths = []
     entry = read(directory)
     config = entry["configuration"]
+    paths = []
     for name, expected in entry["files"].items():
         path = directory / name
         if not path.is_file() and not keeps_vhdl(config):
             raise FlowError(
-                f"the repository does not keep the VHDL of {config}; make it with scripts/synthesize.py --config {config}, which needs Bambu"
+                f"the repository does not keep the VHDL of {config}; make it with "
+                f"scripts/synthesize.py --config {config}, which needs Bambu"
             )
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
@@ -108,7 +150,7 @@ def vhdl_files(directory):
     return paths
 
 
-def stale_reasons(name, parameters):
+def stale_reasons(name: str, parameters: Parameters) -> list[str]:
     """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is well."""
     manifest = read(GENERATED_RTL / name)
     reasons = []
@@ -120,10 +162,11 @@ def stale_reasons(name, parameters):
             reasons.append(f"{file} was edited")
     if manifest["parameters"] != parameters:
         reasons.append("its row in hls/configurations.hpp changed")
-    now = source_digests()
-    for path in sorted(set(now) | set(manifest["sources"])):
-        if now.get(path) != manifest["sources"].get(path):
-            reasons.append(
-                f"{path} {'changed' if path in now and path in manifest['sources'] else 'is new' if path in now else 'is gone'}"
+    now, then = source_digests(), manifest["sources"]
+    for path_text in sorted(set(now) | set(then)):
+        if now.get(path_text) != then.get(path_text):
+            change = (
+                "changed" if path_text in now and path_text in then else "is new" if path_text in now else "is gone"
             )
+            reasons.append(f"{path_text} {change}")
     return reasons

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs a netlist in Python, clock by clock: the check and the traces that naming needs, before any VHDL exists."""
 
-from .expressions import walk
+from collections.abc import Callable, Iterable, Mapping
+
+from .expressions import Node, walk
+from .netlist import Netlist
 
 _TEXT = {
     "sub": "({0} - {1})",
@@ -20,12 +23,12 @@ _TEXT = {
 _JOIN = {"add": " + ", "mul": " * ", "and": " & ", "or": " | ", "xor": " ^ "}
 
 
-def _text(node, names):
+def _text(node: Node, names: Mapping[int, str]) -> str:
     arguments = [names[id(a)] for a in node.args]
     if node.op == "const":
         return str(node.param)
     if node.op == "wrap":
-        width, signed = node.param
+        width, signed = node.wrapping
         half = 1 << (width - 1)
         mask = (1 << width) - 1
         return f"((({arguments[0]} + {half}) & {mask}) - {half})" if signed else f"({arguments[0]} & {mask})"
@@ -34,12 +37,14 @@ def _text(node, names):
     return _TEXT[node.op].format(*arguments, p=node.param)
 
 
-def compile_step(netlist):
-    """A function step(inputs, registers, memories) -> outputs, a dict each; updates registers and memories (lists) in place.
+# (inputs, registers, memories) -> outputs. Updates registers and memories in place; the outputs are those before the edge.
+Step = Callable[[Mapping[str, int], list[int], list[list[int]]], dict[str, int]]
 
-    The outputs are those before the clock edge.
-    """
-    lines, names = ["def step(inputs, registers, memories):"], {}
+
+def compile_step(netlist: Netlist) -> Step:
+    """One clock of the netlist."""
+    lines = ["def step(inputs, registers, memories):"]
+    names: dict[int, str] = {}
     for name, node in netlist.inputs.items():
         names[id(node)] = f"i_{name}"
         lines.append(f" i_{name} = inputs['{name}']")
@@ -48,7 +53,7 @@ def compile_step(netlist):
     if netlist.registers:
         lines.append(f" ({', '.join(f'r{n}' for n in range(len(netlist.registers)))},) = registers")
 
-    def compute(roots):
+    def compute(roots: Iterable[Node]) -> None:
         for node in walk(roots):
             if id(node) not in names:
                 names[id(node)] = f"n{len(names)}"
@@ -65,10 +70,11 @@ def compile_step(netlist):
         f" registers[:] = ({', '.join(names[id(r.next)] for r in netlist.registers)}{',' if netlist.registers else ''})"
     )
     lines.append(f" return {{{', '.join(f'{n!r}: {names[id(node)]}' for n, node in netlist.outputs.items())}}}")
-    scope = {}
+    scope: dict[str, Step] = {}
     exec("\n".join(lines), scope)  # the text is ours, made from the netlist above
     return scope["step"]
 
 
-def initial_state(netlist):
+def initial_state(netlist: Netlist) -> tuple[list[int], list[list[int]]]:
+    """(registers, memories)"""
     return [r.initial for r in netlist.registers], [[0] * m.depth for m in netlist.memories]

@@ -11,15 +11,15 @@ from pathlib import Path
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .evaluate import compile_step, initial_state
 from .expressions import bit_not, leaf, walk, wrap
-from .netlist import merge_twins
+from .netlist import WORDS, Netlist
+
+Values = tuple[int, ...]  # one a clock
+Trace = dict[str, Values]  # of the inputs ("in_..."), outputs ("out_...") and registers of the C++ core
 
 
-def read_trace(path):
-    """{name: values}, one value a clock, of the inputs, outputs and registers of the C++ core.
-
-    File: "stereo-hls trace 1 config=NAME clocks=N", a line of names, then N lines of hexadecimal values.
-    """
-    lines = Path(path).read_text().splitlines()
+def read_trace(path: Path) -> Trace:
+    """File: "stereo-hls trace 1 config=NAME clocks=N", a line of names, then N lines of hexadecimal values."""
+    lines = path.read_text().splitlines()
     if (
         len(lines) < 3
         or not lines[0].startswith("stereo-hls trace 1 ")
@@ -30,7 +30,7 @@ def read_trace(path):
     return dict(zip(lines[1].split(), zip(*rows)))
 
 
-def trace_netlist(netlist, trace):
+def trace_netlist(netlist: Netlist, trace: Trace) -> list[Values]:
     """Values of each register of the netlist, in the same clocks; checks the outputs against the trace."""
     step = compile_step(netlist)
     registers, memories = initial_state(netlist)
@@ -39,58 +39,63 @@ def trace_netlist(netlist, trace):
         history.append(tuple(registers))
         outputs = step({name: trace[f"in_{name}"][clock] for name in netlist.inputs}, registers, memories)
         for name, value in outputs.items():
-            if value != trace[f"out_{name}"][clock] and (
-                name not in ("disparity", "pixel_valid") or trace["out_disparity_valid"][clock]
-            ):
+            expected = trace[f"out_{name}"][clock]
+            if value != expected and (name not in WORDS or trace["out_disparity_valid"][clock]):
                 raise FlowError(
-                    f"the lowered netlist differs from the C++ core: clock {clock}, {name}: expected "
-                    f"{trace[f'out_{name}'][clock]}, got {value}",
+                    f"the lowered netlist differs from the C++ core: clock {clock}, {name}: expected {expected}, "
+                    f"got {value}",
                     EXIT_TOOL_FAILED,
                 )
     return list(zip(*history))
 
 
-def _as_in_cpp(netlist, trace, by_values):
+def _names_by_values(trace: Trace) -> dict[Values, list[str]]:
+    """The registers of the C++ core, in their order."""
+    found: dict[Values, list[str]] = {}
+    for name, values in trace.items():
+        if not name.startswith(("in_", "out_")):
+            found.setdefault(values, []).append(name)
+    return found
+
+
+def adopt_cpp_values(netlist: Netlist, trace: Trace) -> None:
     """Where the tool keeps the complement of a C++ bit, or a negative number as a large positive one, keeps what C++ has."""
+    known = _names_by_values(trace)
     replacement = {}
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
-        if values in by_values:
+        if values in known:
             continue
         old, width = register.value, register.value.width
         half = 1 << (width - 1)
-        if old.is_bit and tuple(1 - v for v in values) in by_values:
+        if old.is_bit and tuple(1 - v for v in values) in known:
             register.value, register.initial = leaf("register", f"{register.name}_inverted", 1), 1 - register.initial
             register.next = bit_not(register.next)
             replacement[id(old)] = bit_not(register.value)
-        elif old.low == 0 and tuple(v - 2 * half if v >= half else v for v in values) in by_values:
+        elif old.low == 0 and tuple(v - 2 * half if v >= half else v for v in values) in known:
             register.value = leaf("register", f"{register.name}_signed", width, signed=True)
             register.next = wrap(register.next, width, signed=True)
             replacement[id(old)] = wrap(register.value, width)
     netlist.substitute(replacement)
-    merge_twins(netlist)
 
 
-def name_registers(netlist, trace):
-    """Renames and orders the registers after the C++ core. Returns how many found their name."""
-    by_values = {}
-    order = {}
-    for name, values in trace.items():
-        if not name.startswith(("in_", "out_")):
-            order[name] = len(order)
-            by_values.setdefault(values, []).append(name)
-    _as_in_cpp(netlist, trace, by_values)
-    named = 0
+def name_registers(netlist: Netlist, trace: Trace) -> None:
+    """Renames and orders the registers after the C++ core, and memories after the registers that take their data."""
+    names = _names_by_values(trace)
+    order = {name: place for place, name in enumerate(trace)}
+    others = 0
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
-        candidates = by_values.get(values, [])
-        register.name = candidates.pop(0) if candidates else ""
-        named += register.name != ""
-    for number, register in enumerate(r for r in netlist.registers if not r.name):
-        register.name = f"other_{number}"
-        order[register.name] = len(order)
+        if names.get(values):
+            register.name = names[values].pop(0)
+        else:
+            register.name = f"other_{others}"
+            order[register.name] = len(order)
+            others += 1
     netlist.registers.sort(key=lambda r: order[r.name])
     for memory in netlist.memories:
-        reader = next(
-            (r.name for r in netlist.registers if any(node is memory.data for node in walk([r.next]))), memory.name
-        )
+        reader = next((r.name for r in netlist.registers if memory.data in walk([r.next])), memory.name)
         memory.name = f"{reader}_memory"
-    return named
+
+
+def count_named(netlist: Netlist, trace: Trace) -> int:
+    """How many registers have found their name."""
+    return sum(register.name in trace for register in netlist.registers)

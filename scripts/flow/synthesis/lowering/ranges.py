@@ -8,33 +8,21 @@ bound comes from a comparison that ranges do not see) keeps its declared range.
 
 import heapq
 
-from .expressions import Node, leaf, rebuild, walk, wrap
+from .expressions import Node, rebuild, walk
+from .netlist import Netlist, Register
 
 GROWTHS_ALLOWED = 16
 
 
-def _leaf(register, low, high):
+def _leaf(register: Register, low: int, high: int) -> Node:
     ones = (1 << high.bit_length()) - 1 if low >= 0 else None
     return Node("register", (), register.name, low, high, ones)
 
 
-def narrow_memories(netlist):
-    """Drops the upper bits of memory words that nobody reads."""
-    nodes = walk(netlist.roots())
-    for memory in netlist.memories:
-        readers = [n for n in nodes if memory.data in n.args]
-        if readers and all(n.op == "wrap" and not n.param[1] for n in readers):
-            width = max(n.param[0] for n in readers)
-            if width < memory.width:
-                narrow = leaf("memory", memory.name, width)
-                netlist.substitute({id(memory.data): narrow})
-                memory.data, memory.width, memory.write_data = narrow, width, wrap(memory.write_data, width)
-
-
-def narrow_registers(netlist):
+def narrow_registers(netlist: Netlist) -> None:
     declared = {id(r.value): r for r in netlist.registers}
     current = {key: _leaf(r, r.initial, r.initial) for key, r in declared.items()}
-    users = {}  # register -> registers whose next value reads it
+    users: dict[int, list[Register]] = {}  # register -> registers whose next value reads it
     for r in netlist.registers:
         for node in walk([r.next]):
             if id(node) in declared:

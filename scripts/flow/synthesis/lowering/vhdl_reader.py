@@ -5,12 +5,18 @@ Only the shapes that the tool writes are understood; anything else is an error t
 """
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NoReturn
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 
 _NAME = r"\\[^\\]+\\|\w+"
+
+
+Part = tuple[int, int, str]  # (high, low, actual) of a formal that is connected in parts
+Actual = str | list[Part]
 
 
 @dataclass(frozen=True)
@@ -23,37 +29,37 @@ class Signal:
 class Instance:
     name: str
     kind: str
-    generics: dict  # name -> text
-    ports: dict  # formal -> actual text, or a list of (high, low, actual text) for a formal given in slices
+    generics: dict[str, str]
+    ports: dict[str, Actual]  # by formal
 
 
 @dataclass(frozen=True)
 class State:
-    outputs: dict  # control signal -> 0 or 1, with the start signal at 1
+    outputs: dict[str, int]  # control signal -> 0 or 1, with the start signal at 1
     next: str
 
 
 @dataclass(frozen=True)
 class Design:
-    signals: dict  # name -> Signal, ports of the datapath included
-    instances: list
-    states: dict  # name -> State
+    signals: dict[str, Signal]  # ports of the datapath included
+    instances: list[Instance]
+    states: dict[str, State]
     reset_state: str
 
 
-def fail(what, text=""):
+def fail(what: str, text: str = "") -> NoReturn:
     quoted = " ".join(text.split())[:160]
     raise FlowError(f"cannot read the tool's VHDL: {what}{': ' + quoted if quoted else ''}", EXIT_TOOL_FAILED)
 
 
-def plain(name):
+def plain(name: str) -> str:
     """An identifier without the backslashes of VHDL's extended form."""
     return name.strip("\\")
 
 
-def read_design(path):
+def read_design(path: Path) -> Design:
     try:
-        text = re.sub(r"--[^\n]*", "", Path(path).read_text())
+        text = re.sub(r"--[^\n]*", "", path.read_text())
     except OSError as error:
         fail(f"{path}: {error.strerror}")
     datapath = _section(text, r"entity datapath_\w+ is", r"end datapath_\w+_arch;")
@@ -65,16 +71,16 @@ def read_design(path):
     return Design(signals, _read_instances(body), states, reset_state)
 
 
-def _section(text, start, end):
+def _section(text: str, start: str, end: str) -> str:
     match = re.search(f"{start}.*?{end}", text, re.DOTALL)
     return match.group() if match else fail(f"no part from '{start}' to '{end}'")
 
 
-def _without_components(text):
+def _without_components(text: str) -> str:
     return re.sub(r"\bcomponent\b.*?\bend component;", "", text, flags=re.DOTALL)
 
 
-def _declared(text):
+def _declared(text: str) -> Iterator[tuple[str, Signal]]:
     pattern = rf"({_NAME}) : (?:in |out )?(std_logic_vector|std_logic|unsigned|signed) *(?:\((\d+) downto 0\))?"
     for name, kind, high in re.findall(pattern, text):
         yield name, Signal(int(high) + 1 if high else 1, kind == "signed")
@@ -83,14 +89,11 @@ def _declared(text):
 # --- instances --------------------------------------------------------------------------------------------------------
 
 
-def _read_instances(body):
+def _read_instances(body: str) -> list[Instance]:
     """`NAME : KIND [generic map (...)] port map (...);` one after the other, and nothing else but joined signals."""
     head = re.compile(rf"\s*({_NAME}) : ({_NAME})\s+(generic map|port map)\s*\(")
     instances, at = [], 0
-    while True:
-        match = head.match(body, at)
-        if not match:
-            break
+    while match := head.match(body, at):
         generics = {}
         inside, at = _parenthesised(body, match.end() - 1)
         if match.group(3) == "generic map":
@@ -105,7 +108,7 @@ def _read_instances(body):
     return instances
 
 
-def _parenthesised(text, at):
+def _parenthesised(text: str, at: int) -> tuple[str, int]:
     """The text between the parenthesis at `at` and its partner, and the place after that."""
     depth = 0
     for place in re.compile(r"[()]").finditer(text, at):
@@ -115,7 +118,7 @@ def _parenthesised(text, at):
     fail("unbalanced parentheses", text[at : at + 200])
 
 
-def _associations(text):
+def _associations(text: str) -> Iterator[tuple[str, str | None, str]]:
     """(formal, index text or None, actual) of each association in a map."""
     depth, start, parts = 0, 0, []
     for place in re.compile(r"[(),]").finditer(text):
@@ -132,21 +135,24 @@ def _associations(text):
         yield plain(match.group(1)), match.group(2), match.group(3)
 
 
-def _ports(text):
-    ports = {}
+def _ports(text: str) -> dict[str, Actual]:
+    ports: dict[str, Actual] = {}
     for formal, index, actual in _associations(text):
         if index is None:
             ports[formal] = actual
             continue
         bounds = [int(bound) for bound in index.split(" downto ")]
-        ports.setdefault(formal, []).append((bounds[0], bounds[-1], actual))
+        parts = ports.setdefault(formal, [])
+        if isinstance(parts, str):
+            fail(f"port {formal} is connected as a whole and in parts", text)
+        parts.append((bounds[0], bounds[-1], actual))
     return ports
 
 
 # --- states -----------------------------------------------------------------------------------------------------------
 
 
-def _read_states(text):
+def _read_states(text: str) -> tuple[dict[str, State], str]:
     reset = re.search(r"reset *= *'0'\) then\s*present_state <= (\w+);", text) or fail(
         "no reset state in the controller"
     )
@@ -160,7 +166,7 @@ def _read_states(text):
     return states, reset.group(1)
 
 
-def _read_state(name, body, defaults):
+def _read_state(name: str, body: str, defaults: dict[str, int]) -> State:
     """What a state does when the start signal is 1; don't-care values ('X') count as 0."""
     conditional = re.search(r"if *\(start_port /= '1'\) then(.*?)else(.*?)end if;", body, re.DOTALL)
     if conditional:

@@ -1,70 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a netlist as one VHDL-2008 architecture: ports, registers, memory cells and one clocked process."""
 
-import re
 from collections import Counter
+from collections.abc import ItemsView, Iterable
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
-from .expressions import walk
-from .netlist import Register
-from .reset import WORDS, control_registers, memory_read_register, split_hold
-from .vhdl_text import Writer, is_wide, type_of, without_outer_parentheses
+from .expressions import Node, walk
+from .netlist import WORDS, Netlist, Register
+from .reset import control_registers, memory_read_register, split_hold
+from .vhdl_frame import HELPERS, PORTS
+from .vhdl_text import Names, Writer, is_wide, type_of, without_outer_parentheses
 
 LINE = 120
-PORTS = """\
-    clock : in std_logic;
-    reset : in std_logic;  -- synchronous, active high
-    left_pixel : in std_logic_vector({high} downto 0);  -- 8 bits a row, the upper row in bits 7 ... 0
-    right_pixel : in std_logic_vector({high} downto 0);
-    start_of_frame : in std_logic;  -- with column 0 of the first rows
-    valid : in std_logic;  -- 0: bubble
-    disparity : out std_logic_vector({disparity_high} downto 0);
-    pixel_valid : out std_logic_vector({rows} downto 0);  -- a bit a row: the disparity has passed every check
-    disparity_valid : out std_logic;
-    disparity_start_of_frame : out std_logic;
-    disparity_end_of_line : out std_logic"""
-HELPERS = """\
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
-  -- the complement of a negative number: its magnitude less 1
-  function folded(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -1 - value;
-    end if;
-    return value;
-  end function;
-
-  function positive_part(value : integer) return natural is
-  begin
-    if value < 0 then
-      return 0;
-    end if;
-    return value;
-  end function;
-
-  function as_number(value : boolean) return natural is
-  begin
-    if value then
-      return 1;
-    end if;
-    return 0;
-  end function;
-
-  function as_bit(value : boolean) return std_logic is
-  begin
-    if value then
-      return '1';
-    end if;
-    return '0';
-  end function;
-"""
 _VARIABLE_KINDS = {
     "lt": "is_less",
     "ge": "is_not_less",
@@ -84,24 +31,24 @@ _VARIABLE_KINDS = {
 
 
 class VhdlWriter:
-    def __init__(self, netlist, header, disparity_bits=8):
+    def __init__(self, netlist: Netlist, header: str, disparity_bits: int = 8) -> None:
         """`disparity_bits`: of each row in the output word."""
         self.netlist, self.header = netlist, header
         self.pixels = max([8, *(node.width for node in netlist.inputs.values())]) // 8
         self.output_bits = {"disparity": disparity_bits * self.pixels, "pixel_valid": self.pixels}
-        self.names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
+        self.names: Names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
         self.reads = {id(m): memory_read_register(netlist, m) for m in netlist.memories}
         for register, _ in self.reads.values():
             self.names[id(register.value)] = (register.name, True)
         self.in_memory = {id(register) for register, _ in self.reads.values()}
         for name, node in netlist.inputs.items():
             self.names[id(node)] = (f"in_{name}", is_wide(node))
-        self.variables = {}  # name -> type
+        self.variables: dict[str, str] = {}  # name -> type
         self.text = Writer(self.names)
         self.uses = Counter(id(a) for n in walk(netlist.roots()) for a in n.args)
         self.uses.update(id(root) for root in netlist.roots())
 
-    def write(self):
+    def write(self) -> str:
         process = self._process()  # first: it finds the variables
         parts = [
             self.header,
@@ -130,11 +77,11 @@ class VhdlWriter:
 
     # --- declarations -------------------------------------------------------------------------------------------------
 
-    def _declarations(self):
+    def _declarations(self) -> str:
         lines = [f"  signal in_{name} : {type_of(node.low, node.high)};" for name, node in self.netlist.inputs.items()]
         for block, registers in self._blocks():
             lines.append(f"  -- {block}")
-            by_type = {}
+            by_type: dict[str, list[str]] = {}
             for r in registers:
                 kind = type_of(r.value.low, r.value.high)
                 if id(r) in self.in_memory:
@@ -142,27 +89,22 @@ class VhdlWriter:
                 by_type.setdefault(kind, []).append(r.name)
             for kind, names in by_type.items():
                 lines += _wrapped("  signal ", names, f" : {kind};")
-        for number, memory in enumerate(self.netlist.memories):
+        for memory in self.netlist.memories:
             lines.append(f"  signal {memory.name}_write_data : unsigned({memory.width - 1} downto 0);")
         return "\n".join(lines) + "\n"
 
-    def _blocks(self):
+    def _blocks(self) -> ItemsView[str, list[Register]]:
         """Registers by C++ block, in data-flow order: the order they come in."""
-        blocks = {}
+        blocks: dict[str, list[Register]] = {}
         for register in self.netlist.registers:
             blocks.setdefault(register.name.split("_")[0], []).append(register)
         return blocks.items()
 
-    def _ports(self):
+    def _ports(self) -> str:
         lines = []
         for name, node in self.netlist.inputs.items():
-            value = (
-                f"{name} = '1'"
-                if node.is_bit
-                else f"unsigned({name})"
-                if is_wide(node)
-                else f"to_integer(unsigned({name}))"
-            )
+            word = f"unsigned({name})" if is_wide(node) else f"to_integer(unsigned({name}))"
+            value = f"{name} = '1'" if node.is_bit else word
             lines.append(f"  in_{name} <= {value};")
         for name, node in self.netlist.outputs.items():
             if name in WORDS:
@@ -171,8 +113,8 @@ class VhdlWriter:
                 lines.append(f"  {name} <= as_bit({without_outer_parentheses(self.text.condition(node))});")
         return "\n".join(lines) + "\n"
 
-    def _memories(self):
-        lines = []
+    def _memories(self) -> str:
+        lines: list[str] = []
         for memory in self.netlist.memories:
             register, enable = self.reads[id(memory)]
             for node in (memory.read_address, memory.write_address):
@@ -180,21 +122,22 @@ class VhdlWriter:
                     raise FlowError(
                         f"an address of memory {memory.name} does not come from a register", EXIT_TOOL_FAILED
                     )
+            name, enabled = memory.name, "true" if enable is None else self.text.condition(enable)
             lines += [
-                f"  {memory.name}_write_data <= {self.text.word(memory.write_data, memory.width)};",
-                f"  {memory.name} : entity work.line_memory",
+                f"  {name}_write_data <= {self.text.word(memory.write_data, memory.width)};",
+                f"  {name} : entity work.line_memory",
                 f"    generic map (depth => {memory.depth}, width => {memory.width})",
                 "    port map (",
-                f"      clock => clock, read_enable => {'true' if enable is None else self.text.condition(enable)},",
+                f"      clock => clock, read_enable => {enabled},",
                 f"      read_address => {self.text.number(memory.read_address)}, read_data => {register.name},",
-                f"      write_address => {self.text.number(memory.write_address)}, write_data => {memory.name}_write_data);",
+                f"      write_address => {self.text.number(memory.write_address)}, write_data => {name}_write_data);",
                 "",
             ]
         return "\n".join(lines)
 
     # --- the clocked process ------------------------------------------------------------------------------------------
 
-    def _process(self):
+    def _process(self) -> str:
         control = control_registers(self.netlist)
         body = []
         for block, registers in self._blocks():
@@ -206,7 +149,7 @@ class VhdlWriter:
             for r in self.netlist.registers
             if id(r.value) in control and id(r) not in self.in_memory
         ]
-        variables = {}
+        variables: dict[str, list[str]] = {}
         for name, kind in self.variables.items():
             variables.setdefault(kind, []).append(name)
         declared = [
@@ -227,15 +170,16 @@ class VhdlWriter:
             ]
         )
 
-    def _by_enable(self, registers):
-        groups = {}
+    def _by_enable(self, registers: Iterable[Register]) -> dict[Node | None, list[Register]]:
+        groups: dict[Node | None, list[Register]] = {}
         for register in registers:
             if id(register) not in self.in_memory:
                 groups.setdefault(split_hold(register)[0], []).append(register)
         return groups
 
-    def _group(self, condition, members):
-        lines, indent = [], "      "
+    def _group(self, condition: Node | None, members: list[Register]) -> list[str]:
+        lines: list[str] = []
+        indent = "      "
         assigned = []
         for register in members:
             value = split_hold(register)[1]
@@ -246,14 +190,14 @@ class VhdlWriter:
             lines.append(f"{indent}if {without_outer_parentheses(self.text.condition(condition))} then")
             indent += "  "
         for register, value in assigned:
-            lines += _folded(f"{indent}{register.name} <= {self._choice_text(value, register)};")
+            lines += _folded(f"{indent}{register.name} <= {self._choice_text(value, register.value)};")
         if condition is not None:
             lines.append("      end if;")
         return lines
 
-    def _variables(self, root, user):
+    def _variables(self, root: Node, user: str) -> list[str]:
         """Assignments of the variables that `root` needs and that are not yet there."""
-        lines = []
+        lines: list[str] = []
         for node in walk([root]):
             if id(node) in self.names or not node.args:
                 continue
@@ -261,13 +205,13 @@ class VhdlWriter:
                 lines += self._assign_variable(node, user)
         return lines
 
-    def _needs_variable(self, node, is_root):
+    def _needs_variable(self, node: Node, is_root: bool) -> bool:
         if node.op == "mux":
             return self.uses[id(node)] > 1 or not is_root
         simple = node.op in ("wrap", "shr", "shl") and id(node.args[0]) in self.names
         return self.uses[id(node)] > 1 and not simple and node.op != "not"
 
-    def _assign_variable(self, node, user):
+    def _assign_variable(self, node: Node, user: str) -> list[str]:
         base = f"{user}_{_VARIABLE_KINDS.get(node.op, 'value')}"
         name, number = base, 2
         while name in self.variables:
@@ -277,61 +221,62 @@ class VhdlWriter:
         self.names[id(node)] = (name, is_wide(node))
         return lines
 
-    def _has_shape_of(self, target, node):
+    def _has_shape_of(self, target: Node, node: Node) -> bool:
         """Whether a node is a constant, or stands there by name with the type of the target but for its limits."""
         if node.op == "const":
             return True
-        _, is_word = self.names.get(id(node), (None, None))
-        return is_word == is_wide(target) and (node.is_bit, node.low < 0, node.width) == (
-            target.is_bit,
-            target.low < 0,
-            target.width,
-        )
+        if id(node) not in self.names or self.names[id(node)][1] != is_wide(target):
+            return False
+        return (node.is_bit, node.low < 0, node.width) == (target.is_bit, target.low < 0, target.width)
 
-    def _conditional(self, name, target):
+    def _conditional(self, name: str, target: Node) -> list[str] | None:
         """A choice of numbers as an if statement; None where a conditional assignment to a variable is safe. GHDL 2.0's
-        synthesis gives such an assignment the width of its first values: it breaks off, or leaves upper bits without a value,
-        unless these are constants or named numbers as wide as the variable."""
+        synthesis gives such an assignment the width of its first values: it breaks off, or leaves upper bits without a
+        value, unless these are constants or named numbers as wide as the variable."""
         choices, node = [], target
         while node.op == "mux" and id(node) not in self.names:
             choices.append((node.args[0], node.args[1]))
             node = node.args[2]
         if target.is_bit or all(self._has_shape_of(target, value) for _, value in choices):
             return None
-        lines, word = [], "if"
+        lines: list[str] = []
+        word = "if"
         for condition, value in choices:
             lines += _folded(f"      {word} {without_outer_parentheses(self.text.condition(condition))} then")
             lines += _folded(f"        {name} := {self._plain_text(value, target)};")
             word = "elsif"
         return [*lines, "      else", *_folded(f"        {name} := {self._plain_text(node, target)};"), "      end if;"]
 
-    def _choice_text(self, node, target):
+    def _choice_text(self, node: Node, target: Node) -> str:
         """The right side of an assignment: multiplexers become `a when c else b`."""
         if node.op == "mux" and id(node) not in self.names:
             condition, yes, no = node.args
-            return f"{self._plain_text(yes, target)} when {without_outer_parentheses(self.text.condition(condition))} else {self._choice_text(no, target)}"
+            test = without_outer_parentheses(self.text.condition(condition))
+            return f"{self._plain_text(yes, target)} when {test} else {self._choice_text(no, target)}"
         return self._plain_text(node, target)
 
-    def _plain_text(self, node, target):
-        bounds = target.value if isinstance(target, Register) else target
-        if bounds.is_bit:
+    def _plain_text(self, node: Node, target: Node) -> str:
+        """As a value of the target's type."""
+        if target.is_bit:
             return without_outer_parentheses(self.text.condition(node))
-        if is_wide(bounds):
-            return self.text.word(node, bounds.width)
+        if is_wide(target):
+            return self.text.word(node, target.width)
         return without_outer_parentheses(self.text.number(node))
 
 
-def _constant(register):
+def _constant(register: Register) -> str:
+    """The value that a reset gives."""
     if register.value.is_bit:
         return "true" if register.initial else "false"
-    return (
-        f"to_unsigned({register.initial}, {register.value.width})" if is_wide(register.value) else str(register.initial)
-    )
+    if is_wide(register.value):
+        return f"to_unsigned({register.initial}, {register.value.width})"
+    return str(register.initial)
 
 
-def _wrapped(start, names, end):
+def _wrapped(start: str, names: list[str], end: str) -> list[str]:
     """Declarations of many names, as few lines as fit."""
-    lines, line = [], []
+    lines: list[str] = []
+    line: list[str] = []
     for name in names:
         if line and len(start) + len(", ".join(line + [name])) + len(end) > LINE:
             lines.append(start + ", ".join(line) + end)
@@ -340,10 +285,10 @@ def _wrapped(start, names, end):
     return lines + [start + ", ".join(line) + end]
 
 
-def _folded(line):
+def _folded(line: str) -> list[str]:
     """A long statement on several lines, broken at blanks."""
     lines = []
-    indent = re.match(" *", line).group() + "  "
+    indent = " " * (len(line) - len(line.lstrip(" ")) + 2)
     while len(line) > LINE and " " in line[len(indent) + 8 : LINE]:
         at = line.rindex(" ", 0, LINE)
         lines.append(line[:at])
