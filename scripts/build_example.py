@@ -11,7 +11,7 @@ from flow.base.tools import ROOT
 from flow.shell import example
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="build_example.py", description=__doc__)
     parser.add_argument("--seed", type=int, default=1, help="of place and route (default 1)")
     parser.add_argument(
@@ -23,7 +23,8 @@ def main():
     options = parser.parse_args()
     result = example.build(options.out.resolve(), options.seed)
     print(
-        f"{result['luts']} LUT sites, {result['flip_flops']} flip-flops, {result['fmax_mhz']} MHz routed where {example.CLOCK_MHZ} are needed"
+        f"{result['luts']} LUT sites, {result['flip_flops']} flip-flops, "
+        f"{result['fmax_mhz']} MHz routed where {example.CLOCK_MHZ} are needed"
     )
     print(f"bit stream: {result['bit_stream']} ({result['bit_stream'].stat().st_size} bytes)")
     return EXIT_OK if result["fmax_mhz"] >= example.CLOCK_MHZ else EXIT_MISMATCH

@@ -1,19 +1,20 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulates the generated VHDL of a configuration against the C++ core on a stereo pair, to the last bit and clock."""
+"""Co-simulates the generated VHDL of a configuration against the C++ core on a stereo pair, to the last bit and
+clock."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import ArgumentParser, FlowError, run_command
-from flow.cosim import job as cosim, record as cosim_record
+from flow.cosim import job, record
 from flow.cosim.simulators import SIMULATORS
 
 MOST_SECONDS = 1e6
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="cosim.py", description=__doc__)
     parser.add_argument("--config", required=True, help="named configuration (see stereo_hls configurations)")
     parser.add_argument("--left", required=True, type=Path, help="left image of the rectified pair")
@@ -21,7 +22,8 @@ def main():
     parser.add_argument(
         "--rows",
         metavar="A:B|N",
-        help="send only image rows A ... B-1, as the top of a frame; or the middle N rows, more where an output needs them",
+        help="send only image rows A ... B-1, as the top of a frame; or the middle N rows, more where an output needs "
+        "them",
     )
     parser.add_argument(
         "--frames", type=int, default=1, help="frames back to back; every second one upside down (default 1)"
@@ -62,11 +64,11 @@ def main():
         raise FlowError("--frames must be at least 1")
     if not 0 < options.watchdog_seconds < MOST_SECONDS:
         raise FlowError(f"--watchdog must be above 0 and below {MOST_SECONDS:g} seconds")
-    record = vars(options).pop("record")
-    report = cosim.run_job(cosim.Job(**vars(options)))
-    if record:
-        cosim_record.keep(report)
-    return cosim.exit_code(report)
+    is_kept = vars(options).pop("record")
+    report = job.run_job(job.Job(**vars(options)))
+    if is_kept:
+        record.keep(report)
+    return job.exit_code(report)
 
 
 if __name__ == "__main__":

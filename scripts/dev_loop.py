@@ -13,7 +13,7 @@ from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, 
 from flow.dev_loop import DevLoop
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
     parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
     parser.add_argument(

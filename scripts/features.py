@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes docs/features.md, what each option costs, from the committed manifests and implementation results. Runs no tool."""
+"""Writes docs/features.md, what each option costs, from the committed manifests and implementation results. Runs no
+tool."""
 
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from flow.base.errors import ArgumentParser, run_command
 from flow.pages import features
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="features.py", description=__doc__)
     parser.add_argument("--check", action="store_true", help="only say whether the page is up to date")
     return files.update({features.PAGE: features.page()}, parser.parse_args().check, "scripts/features.py")

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the hand-written VHDL in hls/rtl and examples: GHDL's warnings, latches and loops in the netlist, layout. Any finding is an error."""
+"""Checks the hand-written VHDL in hls/rtl and examples: GHDL's warnings, latches and loops in the netlist, layout. Any
+finding is an error."""
 
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from flow.base.tools import ROOT
 from flow.shell import design, lint
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="lint.py", description=__doc__)
     parser.add_argument("--config", default="tiny", help="configuration whose core stands in the shell (default tiny)")
     parser.add_argument("--rtl", type=Path, help="folder with the shell's VHDL (default hls/rtl)")

@@ -11,7 +11,7 @@ from flow.base.errors import EXIT_OK, ArgumentParser, run_command
 from flow.pages import demo_folder, report
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="report.py", description=__doc__)
     parser.add_argument("--demo", required=True, type=Path, metavar="DIR", help="folder of scripts/demo.sh")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default DIR/report.html)")

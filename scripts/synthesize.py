@@ -3,22 +3,23 @@
 """Makes the VHDL of configurations from the C++ core with Bambu, into generated_rtl/NAME/."""
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import tools
-from flow.base.configurations import configuration, configurations
+from flow.base.configurations import Parameters, configuration, configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.families import keeps_vhdl
+from flow.base.tools import GENERATED_RTL, find_bambu
 from flow.synthesis.generate import generate
 from flow.synthesis.manifest import stale_reasons
 
 
-def check(names, table):
+def check(names: Iterable[str], table: dict[str, Parameters]) -> int:
     """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
     stale = {}
     for name in names:
-        if not (tools.GENERATED_RTL / name).is_dir() and not keeps_vhdl(name):
+        if not (GENERATED_RTL / name).is_dir() and not keeps_vhdl(name):
             print(f"{name}: not made yet")
             continue
         stale[name] = stale_reasons(name, table[name])
@@ -34,7 +35,7 @@ def check(names, table):
     return EXIT_OK
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="synthesize.py", description=__doc__)
     parser.add_argument(
         "--config",
@@ -57,12 +58,14 @@ def main():
         configuration(name, table)
     if options.check:
         return check(names, table)
-    tools.find_bambu()
+    find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
         print(
-            f"{name}: {report['states']} states ({report['loop_states']} in the loop), {report['registers']} registers ({report['registers_named']} named as in C++), "
-            f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz"
+            f"{name}: {report['states']} states ({report['loop_states']} in the loop), "
+            f"{report['registers']} registers ({report['registers_named']} named as in C++), "
+            f"{report['memory_bits']} memory bits, "
+            f"Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz"
         )
     return EXIT_OK
 

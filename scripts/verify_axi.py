@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Verifies stereo_ip, the core between AXI4-Streams: random stalls, gaps, resets and broken streams, every frame compared with
-the C++ core. Thousands of frames in Verilator, all scenarios under cocotb in GHDL."""
+"""Verifies stereo_ip, the core between AXI4-Streams: random stalls, gaps, resets and broken streams, every frame
+compared with the C++ core. Thousands of frames in Verilator, all scenarios under cocotb in GHDL."""
 
 import sys
 from pathlib import Path
@@ -12,7 +12,7 @@ from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.shell import verify
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="verify_axi.py", description=__doc__)
     parser.add_argument(
         "--config", action="append", metavar="NAME", help="only this configuration, in Verilator; may be repeated"

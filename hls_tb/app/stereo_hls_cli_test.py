@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program stereo_hls as its users meet it: files, messages and exit codes. Its command match: stereo_hls_match_test.py."""
+"""The program stereo_hls as its users meet it: files, messages and exit codes. Its command match:
+stereo_hls_match_test.py."""
 
 import json
 import subprocess

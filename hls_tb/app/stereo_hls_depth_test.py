@@ -20,7 +20,8 @@ Z_MM = round(1000 * FOCAL * BASELINE / SHIFT)
 
 def matrix(name, values, columns):
     rows = len(values) // columns
-    return f"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ {', '.join(map(repr, values))} ]\n"
+    data = ", ".join(map(repr, values))
+    return f"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ {data} ]\n"
 
 
 def calibration(path, baseline=BASELINE, focal=FOCAL, turn=0.0, **others):

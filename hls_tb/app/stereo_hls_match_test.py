@@ -79,7 +79,8 @@ def test_match_writes_its_facts(tmp_path, match, pair):
 
 
 def configurations():
-    """The families of the tests and of the demo, and OpenCV's: the others are large, or only measure what an option costs."""
+    """The families of the tests and of the demo, and OpenCV's: the others are large, or only measure what an option
+    costs."""
     table = json.loads(succeed("configurations", "--json")) if PROGRAM else {}
     return sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
 

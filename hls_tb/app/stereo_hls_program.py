@@ -23,7 +23,8 @@ def succeed(*arguments):
 
 
 def fail(folder, *arguments, says):
-    """Exit code 2, one line on stderr with all of `says` in it, nothing written. Runs in the folder: relative paths end there."""
+    """Exit code 2, one line on stderr with all of `says` in it, nothing written. Runs in the folder: relative paths end
+    there."""
     before = sorted(folder.rglob("*"))
     result = run(*arguments, cwd=folder)
     assert result.returncode == 2, result.stderr

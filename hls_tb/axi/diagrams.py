@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Records what the signals of stereo_ip really do, for the pictures in docs/integration.md (scripts/timing_diagrams.py)."""
+"""Records what the signals of stereo_ip really do, for the pictures in docs/integration.md
+(scripts/timing_diagrams.py)."""
 
 import json
 import os

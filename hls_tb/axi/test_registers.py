@@ -204,8 +204,8 @@ async def soft_reset_at(bench, clocks):
 
 @cocotb.test()
 async def soft_reset(dut):
-    """At random clocks of frames and gaps: each frame that has begun still comes whole, the one that was cut with the mark; no
-    beat of m_axis is withdrawn; the next frame is exact."""
+    """At random clocks of frames and gaps: each frame that has begun still comes whole, the one that was cut with the
+    mark; no beat of m_axis is withdrawn; the next frame is exact."""
     bench = await Bench(dut, "soft reset").start()
     size, cut = bench.geometry.results, 0
     for _ in range(10):

@@ -99,7 +99,8 @@ async def gaps_of_all_lengths(dut):
 
 
 async def broken_stream(dut, case):
-    """The case at full speed and with stalls; each time the next correct frame is exact. Status shows just its errors."""
+    """The case at full speed and with stalls; each time the next correct frame is exact. Status shows just its
+    errors."""
     bench = await frames(dut, case)
     steps = script.broken(bench.random, bench.pool, bench.geometry, case)
     steps += [("rates", 25, 25), *script.broken(bench.random, bench.pool, bench.geometry, case)]

@@ -43,8 +43,8 @@ def scene(folder, config, seed=7):
 
 
 def random_pair(folder, config, levels, seed=1, brightest=255):
-    """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties everywhere, far
-    apart also extremes, close together sums that differ by little."""
+    """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties
+    everywhere, far apart also extremes, close together sums that differ by little."""
     size = configuration(config)
     generator = random.Random(f"{levels} {seed}")
     folder.mkdir(parents=True, exist_ok=True)

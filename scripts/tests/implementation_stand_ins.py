@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stand-in executables for the tools that implement.py calls. Each records its command line and writes a small answer."""
+"""Stand-in executables for the tools that implement.py calls. Each records its command line and writes a small
+answer."""
 
 import json
 

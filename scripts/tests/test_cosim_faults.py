@@ -35,7 +35,8 @@ FAULTS = {
 
 @pytest.fixture(scope="module")
 def pair(tmp_path_factory):
-    """Four grey levels: every disparity wins somewhere, and ties are everywhere. A textured scene would miss some faults."""
+    """Four grey levels: every disparity wins somewhere, and ties are everywhere. A textured scene would miss some
+    faults."""
     return random_pair(tmp_path_factory.mktemp("pair"), "tiny", levels=4)
 
 

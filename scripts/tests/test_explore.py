@@ -250,7 +250,7 @@ def test_what_is_measured_is_said(explored):
     assert all(name in process.stdout for name in measured)
     for word in ("measured:", "estimate:", "absent:", "Worth their LUTs, 16 disparities", "Measured configurations"):
         assert word in process.stdout
-    for title, row in choices.items():
+    for row in choices.values():
         assert row["luts_are"] != ABSENT or (not row["front"] and row["luts_missing"])
 
 
@@ -296,7 +296,8 @@ if sys.argv[1] != "evaluate":
         ("print('stereo_hls: the truth is lost', file=sys.stderr); sys.exit(2)", 2, ["the truth is lost"]),
         ("pathlib.Path(sys.argv[-1]).write_text('{}')", 4, ["something else than 'stereo-hls evaluation 1'"]),
         (
-            'pathlib.Path(sys.argv[-1]).write_text(\'{"format": "stereo-hls evaluation 2", "methods": [{"parameters": {}, "masks": {}}]}\')',
+            "pathlib.Path(sys.argv[-1]).write_text("
+            '\'{"format": "stereo-hls evaluation 2", "methods": [{"parameters": {}, "masks": {}}]}\')',
             4,
             ["something else"],
         ),

@@ -8,7 +8,7 @@ import pytest
 from flow.base.configurations import configurations
 from flow.base.families import STUDY, family
 from flow.base.tools import GENERATED_RTL
-from flow.implementation import job as implement, results
+from flow.implementation import record, results
 from flow.pages import features
 from flow.synthesis import manifest
 from flow_commands import call
@@ -46,8 +46,8 @@ def folders(tmp_path, monkeypatch):
         (tmp_path / name).mkdir()
         entry = manifest.read(GENERATED_RTL / "tiny") | {"configuration": name}
         manifest.write(tmp_path / name, entry)
-        implement.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
-    for module in (results, implement):
+        record.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
+    for module in (results, manifest):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
     monkeypatch.setattr(
         features,

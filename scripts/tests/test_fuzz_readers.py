@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Any bytes and any damaged file: each reader of the flow gives a result that the code behind it can use, or FlowError with one
-sentence, never another exception. Env STEREO_FUZZ_EXAMPLES: how many files for each reader."""
+"""Any bytes and any damaged file: each reader of the flow gives a result that the code behind it can use, or FlowError
+with one sentence, never another exception. Env STEREO_FUZZ_EXAMPLES: how many files for each reader."""
 
 import copy
 import json
@@ -14,7 +14,7 @@ from conftest import SEED
 from flow.base.errors import FlowError
 from flow.base.tools import GENERATED_RTL
 from flow.cosim import checker, record as cosim_record, vectors
-from flow.implementation import job as implement
+from flow.implementation import record as implementation
 from flow.pages import demo_folder, performance, report
 from flow.shell import verilated
 from flow.synthesis import manifest
@@ -26,7 +26,10 @@ EXAMPLES = int(os.environ.get("STEREO_FUZZ_EXAMPLES", "50"))
 LONGEST = 3000  # bytes of a damaged file that are looked at
 
 STIMULUS = b"stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
-EXPECTED = b"stereo-hls expected 2 config=tiny pixels=2 disparity_bits=16 outputs=2 latency=10\n50 0 0 0 000f0003 5\n51 1 0 0 001f0000 0\n"
+EXPECTED = (
+    b"stereo-hls expected 2 config=tiny pixels=2 disparity_bits=16 outputs=2 latency=10\n"
+    b"50 0 0 0 000f0003 5\n51 1 0 0 001f0000 0\n"
+)
 OBSERVED = b"50 3 1\n51 X X\n52 1f 4\nend 60\n"
 OBSERVATION = b"r\no 03 1 17\nr\np a promise\no ff 2 90\nend 120\n"
 MATCH = {
@@ -118,13 +121,13 @@ def use_manifest(folder, _):
     entry = manifest.read(folder)
     assert set(manifest.KEYS) <= set(entry)
     manifest.vhdl_files(folder)
-    implement.is_fresh({"vhdl_digest": {}}, entry)
+    implementation.is_fresh({"vhdl_digest": {}}, entry)
 
 
 def use_implementation(folder, _):
-    result = implement.read(folder)
+    result = implementation.read(folder)
     assert result is not None
-    assert not implement.is_fresh(result, {"files": {"other.vhd": ""}})
+    assert not implementation.is_fresh(result, {"files": {"other.vhd": ""}})
 
 
 def use_cosim_record(folder, _):

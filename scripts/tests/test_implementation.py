@@ -6,11 +6,11 @@ import pytest
 from conftest import need
 from flow.base.families import PAPER, STUDY, TINY, family
 from flow.base.tools import GENERATED_RTL
-from flow.implementation import figures, job as implement, yosys
+from flow.implementation import figures, record, yosys
 from flow.synthesis import manifest
 from flow_commands import call
 
-CONFIGURATIONS = [name for name in implement.known_configurations() if implement.read(GENERATED_RTL / name)]
+CONFIGURATIONS = [name for name in manifest.known_configurations() if record.read(GENERATED_RTL / name)]
 PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 16_384  # of the paper's 884,736
 LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
@@ -18,13 +18,13 @@ LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
 
 def committed(name, target=None):
     """The committed result of a configuration, or of one of its targets."""
-    result = implement.read(GENERATED_RTL / name)
+    result = record.read(GENERATED_RTL / name)
     return result["targets"][target] if target else result
 
 
 def test_what_the_repository_says_of_itself_is_implemented():
     """The paper's core and the small ones on each target; each option of the study on the routed one."""
-    for name in implement.known_configurations():
+    for name in manifest.known_configurations():
         if family(name) in (PAPER, TINY):
             assert set(committed(name)["targets"]) == set(yosys.TARGETS), name
         elif family(name) == STUDY:
@@ -35,7 +35,7 @@ def test_what_the_repository_says_of_itself_is_implemented():
 def test_results_are_of_the_committed_vhdl(name):
     result, entry = committed(name), manifest.read(GENERATED_RTL / name)
     assert result["configuration"] == name
-    assert implement.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
+    assert record.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -106,7 +106,7 @@ def check_tiny(folder, target, *options):
     if process.returncode == 3:
         pytest.skip(f"SKIP: {process.stderr.strip()}")
     assert process.returncode == 0, process.stderr
-    result = implement.read(folder / "tiny")["targets"][target]
+    result = record.read(folder / "tiny")["targets"][target]
     if result["tools"] != expected["tools"]:
         pytest.skip(f"SKIP: the committed numbers are of {expected['tools']}, installed are {result['tools']}")
     assert area(result) == area(expected)

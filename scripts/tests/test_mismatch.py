@@ -10,7 +10,7 @@ import pytest
 from browser import look
 from conftest import need
 from flow.base.configurations import configuration
-from flow.cosim import job as flow_cosim, mismatch, waveform
+from flow.cosim import frame_maps, job, mismatch, waveform
 from flow.cosim.vcd import Values, cut
 from flow.rendering import pictures
 from flow_commands import altered_rtl, call, cosim, random_pair, report
@@ -82,7 +82,7 @@ def test_maps_are_those_of_the_vector_files(tiny):
             assert (picture[row, column] == pictures.disparity_colors(value, 0, 7)).all()
     wrong = {place for place in want if want[place] != have[place]}
     assert {
-        (column, row) for column, row in want if tuple(shown[2][row, column]) == pictures.rgb(mismatch.DIFFERS)
+        (column, row) for column, row in want if tuple(shown[2][row, column]) == pictures.rgb(frame_maps.DIFFERS)
     } == wrong
     assert min(wrong, key=lambda place: place[::-1]) == (x, y)
     assert {picture.mark for picture in failure.pictures} == {(100 * (x + 0.5) / 24, 100 * (y + 0.5) / 12)}
@@ -192,10 +192,10 @@ def test_a_pass_removes_the_page_of_an_earlier_failure(ghdl, tmp_path):
 
 
 def test_a_late_mismatch_has_a_page_without_a_wave(ghdl, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(flow_cosim, "AUTOMATIC_WAVE_CLOCKS", 10)
+    monkeypatch.setattr(job, "AUTOMATIC_WAVE_CLOCKS", 10)
     left, right = random_pair(tmp_path / "pair", "tiny", levels=4)
-    result = flow_cosim.run_job(
-        flow_cosim.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out")
+    result = job.run_job(
+        job.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out")
     )
     assert (
         result["passed"] is False

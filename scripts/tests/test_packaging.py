@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What others take into their designs: the instantiation, the FuseSoC core, the example and the pictures of the documentation."""
+"""What others take into their designs: the instantiation, the FuseSoC core, the example and the pictures of the
+documentation."""
 
 import os
 import re
@@ -10,8 +11,8 @@ import pytest
 
 from flow.base import venv
 from flow.base.errors import FlowError
+from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
-from flow.cosim.simulators import GHDL_STANDARD
 from flow.shell import cocotb_runs, design, example
 from flow_commands import call, refused
 
@@ -33,10 +34,10 @@ def ghdl_run(ghdl, folder, files, top):
     def step(*words):
         return subprocess.run([ghdl, *map(str, words)], cwd=folder, capture_output=True, text=True)
 
-    analysed = step("-a", GHDL_STANDARD, *files)
+    analysed = step("-a", STANDARD, *files)
     assert analysed.returncode == 0, analysed.stderr
-    assert step("-e", GHDL_STANDARD, top).returncode == 0
-    return step("-r", GHDL_STANDARD, top, "--ieee-asserts=disable-at-0")
+    assert step("-e", STANDARD, top).returncode == 0
+    return step("-r", STANDARD, top, "--ieee-asserts=disable-at-0")
 
 
 @pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4", "ambrosch2007"])

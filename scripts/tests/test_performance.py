@@ -8,7 +8,7 @@ import pytest
 
 from flow.base.errors import FlowError
 from flow.base.tools import GENERATED_RTL
-from flow.implementation import job as implement, results
+from flow.implementation import record as implementation, results
 from flow.pages import performance
 from flow.synthesis import manifest
 from flow_commands import call, refused
@@ -27,7 +27,7 @@ def folders(tmp_path, monkeypatch):
     """A copy of generated_rtl/tiny alone, for performance.py to read."""
     shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
     (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
-    for module in (results, implement):
+    for module in (results, manifest):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
     return tmp_path
 
@@ -35,7 +35,7 @@ def folders(tmp_path, monkeypatch):
 def record(folders, targets):
     entry = manifest.read(folders / "tiny")
     for target, result in targets.items():
-        implement.merge(folders / "tiny", entry, target, result)
+        implementation.merge(folders / "tiny", entry, target, result)
 
 
 def row(text, *words):

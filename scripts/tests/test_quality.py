@@ -18,7 +18,8 @@ def teddy():
     missing = quality.missing_files(PAIR)
     if missing:
         pytest.skip(
-            f"SKIP: the stereo pair teddy is missing ({missing[0]}); set STEREO_DATA to the folder that holds teddy/left.png"
+            f"SKIP: the stereo pair teddy is missing ({missing[0]}); "
+            "set STEREO_DATA to the folder that holds teddy/left.png"
         )
     return quality.measure(quality.pair_images(PAIR), quality.PAIR_DISPARITIES)
 
@@ -51,7 +52,7 @@ def two():
             "density": 0.5,
             "avg_px": None,
             "rms_px": 2.0,
-            **{name: both for name in ("bad_0_5", "bad_1", "bad_2", "bad_4", "d1")},
+            **dict.fromkeys(("bad_0_5", "bad_1", "bad_2", "bad_4", "d1"), both),
         }
         return {"kind": kind, "reference": reference, "masks": {name: copy.deepcopy(mask) for name in quality.MASKS}}
 

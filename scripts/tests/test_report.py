@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the page of a demo shows: pictures with the right pixels, and a layout that a reader can use, wide and on a phone."""
+"""What the page of a demo shows: pictures with the right pixels, and a layout that a reader can use, wide and on a
+phone."""
 
 import io
 import subprocess
@@ -11,7 +12,7 @@ from conftest import need
 from flow.base.errors import FlowError
 from flow.base.tools import find_stereo_hls
 from flow.implementation import results
-from flow.pages import demo_folder, performance, report
+from flow.pages import demo_folder, map_pictures, performance, report
 from flow.rendering import page, pictures
 from flow_commands import call, scene
 from test_demo import COSIM, COSIMS, change
@@ -102,7 +103,7 @@ def test_disparity_has_the_colours_of_its_scale(demo):
 
 def test_errors_are_counted_as_the_program_counts_them(demo):
     picture = report.draw(demo)[0][3]
-    large = sum(count(picture, color) for _, color in pictures.ERRORS[2:])
+    large = sum(count(picture, color) for _, color in map_pictures.ERRORS[2:])
     assert large == demo.match["truth"]["bad_px"] > 0
     shares = [share for _, _, share in picture.legend if share is not None]
     assert sum(shares) == pytest.approx(100)
@@ -114,7 +115,7 @@ def test_rejections_are_counted(demo):
         return
     picture = report.draw(demo)[0][4]
     rejected = int((pictures.load(demo.folder / demo_folder.VALID) == 0).sum())
-    assert count(picture, pictures.GOOD) + count(picture, pictures.TOO_STRICT) == rejected > 0
+    assert count(picture, map_pictures.GOOD) + count(picture, map_pictures.TOO_STRICT) == rejected > 0
 
 
 def test_a_pair_that_is_gone_leaves_notes(demo):
@@ -148,7 +149,7 @@ def test_every_row_of_the_comparison_stands_on_the_page(tmp_path):
 
 def test_results_of_other_vhdl_are_none(tmp_path, monkeypatch):
     demo = demo_folder.read_demo(fill(tmp_path / "demo", "tiny"))
-    monkeypatch.setattr(results.implement, "is_fresh", lambda result, entry: False)
+    monkeypatch.setattr(results.record, "is_fresh", lambda result, entry: False)
     stale = results.Configuration("tiny", stale_is_none=True)
     assert stale.stale and stale.targets == {}
     with pytest.raises(FlowError, match="of other VHDL"):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/tutorial.md as a reader works through it: in a copy of the repository, every edit is applied and every command run, in the
-order of the page, and each line that the page shows must be printed.
+"""docs/tutorial.md as a reader works through it: in a copy of the repository, every edit is applied and every command
+run, in the order of the page, and each line that the page shows must be printed.
 
-The page's blocks: `diff` an edit; `sh` commands, after which may stand the tools that they need; `text` the beginnings of lines
-that the commands above it print."""
+The page's blocks: `diff` an edit; `sh` commands, after which may stand the tools that they need; `text` the beginnings
+of lines that the commands above it print."""
 
 import os
 import re
@@ -98,7 +98,8 @@ STEPS = steps_of(blocks_of(PAGE.read_text()))
 
 @pytest.fixture(scope="module")
 def followed(tmp_path_factory):
-    """{line of a block: what was wrong with it, or None}; a block whose tool is missing and all after a wrong one are not there."""
+    """{line of a block: what was wrong with it, or None}; a block whose tool is missing and all after a wrong one are
+    not there."""
     if not (ROOT / ".git").exists() or shutil.which("git") is None:
         pytest.skip("SKIP: this is no git checkout, which names the files to copy")
     reader, results = Reader(tmp_path_factory.mktemp("tutorial")), {}

@@ -6,9 +6,10 @@ import re
 import pytest
 
 from flow.base.errors import FlowError
+from flow.base.ghdl import to_verilog
 from flow.base.tools import GENERATED_RTL
 from flow.cosim import vectors
-from flow.cosim.simulators import Ghdl, to_verilog
+from flow.cosim.simulators import Ghdl
 from flow.synthesis.lowering import expressions as n, netlist
 from flow.synthesis.lowering.cleanup import remove_unused
 from flow.synthesis.lowering.evaluate import compile_step, initial_state
@@ -44,7 +45,7 @@ def random_netlist(rng, registers=40):
         "disparity": n.wrap(n.add(*[r.value for r in design.registers]), 8),
         "disparity_valid": n.const(1),
         "pixel_valid": bits[0],
-        "disparity_start_of_frame": n.bit_or(*[b for b in bits[: len(bits) // 2]]),
+        "disparity_start_of_frame": n.bit_or(*bits[: len(bits) // 2]),
         "disparity_end_of_line": n.bit_and(bits[0], n.bit_not(n.less(words[0], words[1]))),
     }
     return design
@@ -182,7 +183,8 @@ def memory_design():
 
 
 def test_reset_reaches_flags_through_a_memory():
-    """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data alone."""
+    """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data
+    alone."""
     design = memory_design()
     flag, data = (netlist.Register(name, n.leaf("register", name, width)) for name, width in (("flag", 1), ("data", 7)))
     flag.next, data.next = n.wrap(design.inputs["left_pixel"], 1), n.wrap(design.inputs["left_pixel"], 7)
@@ -224,7 +226,8 @@ def test_an_operation_without_vhdl_is_refused():
 
 @pytest.mark.parametrize("constant", [0x10, 0x11, 0x70, 0x90, 0xF0])
 def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant):
-    """An 8-bit word of two registers of 1 bit (bits 1 and 3) and of constant ones around them, through a memory and back."""
+    """An 8-bit word of two registers of 1 bit (bits 1 and 3) and of constant ones around them, through a memory and
+    back."""
     design = memory_design()
     pixel = design.inputs["left_pixel"]
     ones = n.const(constant)

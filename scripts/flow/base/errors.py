@@ -5,6 +5,8 @@ import argparse
 import os
 import signal
 import sys
+from collections.abc import Callable
+from typing import NoReturn
 
 EXIT_OK = 0
 EXIT_MISMATCH = 1  # the job ran, and its answer is no: outputs differ, or the VHDL is stale
@@ -18,7 +20,7 @@ EXIT_CODES_HELP = "exit codes: 0 done, 1 the result differs, 2 bad usage or inpu
 class FlowError(Exception):
     """One sentence for the user and the exit code that goes with it."""
 
-    def __init__(self, message, exit_code=EXIT_USAGE):
+    def __init__(self, message: str, exit_code: int = EXIT_USAGE) -> None:
         super().__init__(message)
         self.exit_code = exit_code
 
@@ -26,15 +28,14 @@ class FlowError(Exception):
 class ArgumentParser(argparse.ArgumentParser):
     """argparse that says one sentence on stderr instead of the whole usage."""
 
-    def __init__(self, **options):
-        options.setdefault("epilog", EXIT_CODES_HELP)
-        super().__init__(**options)
+    def __init__(self, prog: str, description: str | None) -> None:
+        super().__init__(prog=prog, description=description, epilog=EXIT_CODES_HELP)
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
         raise FlowError(f"{message} (see {self.prog} --help)")
 
 
-def run_command(main):
+def run_command(main: Callable[[], int]) -> NoReturn:
     """Runs a command's main function and turns FlowError and OSError into one line on stderr and the exit code."""
     program = sys.argv[0].rsplit("/", 1)[-1]
     try:

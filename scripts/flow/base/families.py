@@ -10,7 +10,7 @@ SYSTEM = "system"  # the systems that the paper compares itself with, and OpenCV
 _TINY = ("tiny", "tiny_p2", "tiny_p4")
 
 
-def family(name):
+def family(name: str) -> str:
     if name.startswith("ambrosch2007"):
         return PAPER
     if name in _TINY:
@@ -20,6 +20,6 @@ def family(name):
     return STUDY if name.split("_")[0] == "study" else SYSTEM
 
 
-def keeps_vhdl(name):
+def keeps_vhdl(name: str) -> bool:
     """Whether the repository holds the VHDL. Of the others it holds the manifest and the results only: .gitignore."""
     return family(name) in (PAPER, TINY, OPTION)

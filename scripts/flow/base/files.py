@@ -3,15 +3,16 @@
 
 import os
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
 from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from .tools import ROOT
 
 
-def write(path, content):
-    """The whole file or none. `content`: text, or bytes."""
-    path, temporary = Path(path), None
+def write(path: Path, content: str | bytes) -> None:
+    """The whole file or none."""
+    temporary = None
     data = content.encode() if isinstance(content, str) else content
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -26,9 +27,9 @@ def write(path, content):
         raise FlowError(f"cannot write {path}: {error.strerror}") from None
 
 
-def update(texts, check, command):
-    """For a command that makes committed files. Writes those of {path: text} that differ, or with `check` refuses them; returns
-    the exit code. `command` makes them again."""
+def update(texts: Mapping[Path, str], check: bool, command: str) -> int:
+    """For a command that makes committed files. Writes those of {path: text} that differ, or with `check` refuses them;
+    returns the exit code. `command` makes them again."""
     stale = [path for path, text in texts.items() if not path.is_file() or path.read_text() != text]
     names = {path: path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else str(path) for path in texts}
     if check and stale:

@@ -3,16 +3,17 @@
 
 import os
 import sys
+from pathlib import Path
 
 from .errors import EXIT_MISSING_TOOL, FlowError
-from .tools import ROOT, run
+from .tools import ROOT, Say, run
 
 PYTHON = "/usr/bin/python3"
 
 
-def ensure(name, requirements, what, say=print):
-    """The folder bin/ of build/NAME with everything that the file `requirements` names; installed when it is not there yet.
-    `what`: the package in the words of the message."""
+def ensure(name: str, requirements: Path, what: str, say: Say = print) -> Path:
+    """The folder bin/ of build/NAME with everything that the file `requirements` names; installed when it is not there
+    yet. `what`: the package in the words of the message."""
     folder, wanted = ROOT / "build" / name, requirements.read_text()
     stamp = folder / "requirements.txt"
     if not (os.access(folder / "bin" / "python3", os.X_OK) and stamp.is_file() and stamp.read_text() == wanted):
@@ -22,7 +23,7 @@ def ensure(name, requirements, what, say=print):
     return folder / "bin"
 
 
-def _install(folder, requirements, what):
+def _install(folder: Path, requirements: Path, what: str) -> None:
     python = PYTHON if os.access(PYTHON, os.X_OK) else sys.executable
     log = folder.parent / f"{folder.name}.log"
     folder.parent.mkdir(parents=True, exist_ok=True)
@@ -33,19 +34,8 @@ def _install(folder, requirements, what):
             f"cannot make {folder}; on Debian: apt-get install python3-venv; see {log}", EXIT_MISSING_TOOL
         ) from None
     try:
-        run(
-            [
-                folder / "bin" / "python3",
-                "-m",
-                "pip",
-                "install",
-                "--quiet",
-                "--disable-pip-version-check",
-                "-r",
-                requirements,
-            ],
-            log=log,
-        )
+        install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]
+        run([folder / "bin" / "python3", *install, requirements], log=log)
     except FlowError:
         raise FlowError(
             f"{what} is not installed and cannot be fetched from PyPI (offline?); see {log}", EXIT_MISSING_TOOL

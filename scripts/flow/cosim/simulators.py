@@ -3,60 +3,72 @@
 
 import hashlib
 import os
-import re
 import shutil
 import threading
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, find_ghdl, find_verilator, run, run_with_progress
+from ..base import ghdl
+from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress
 from . import vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
-GHDL_STANDARD = "--std=08"
+VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
+Clocks = tuple[int, int]  # first and last
 
 
 class Simulator:
     """Builds a simulation of some VHDL files once, then runs it any number of times."""
 
     name = ""
-    wave_suffixes = ()
+    wave_suffixes: tuple[str, ...] = ()
 
-    def __init__(self, vhdl_files, work_directory, pixels=1, disparity_bits=8, trace=False):
+    def __init__(
+        self, vhdl_files: Iterable[Path], work: Path, pixels: int = 1, disparity_bits: int = 8, trace: bool = False
+    ) -> None:
         self.pixels = pixels  # pairs a clock
         self.disparity_bits = disparity_bits  # of one pixel
-        self.vhdl_files = [Path(path) for path in vhdl_files]
-        self.work = Path(work_directory)
+        self.vhdl_files = list(vhdl_files)
+        self.work = work
         self.trace = trace
 
-    def _bench_files(self):
+    def _bench_files(self) -> list[Path]:
         raise NotImplementedError
 
-    def _build(self):
+    def _build(self) -> None:
         raise NotImplementedError
 
-    def build(self):
-        build_once(self.work, [*self.vhdl_files, *self._bench_files(), Path(__file__)], self.trace, self._build)
+    def build(self) -> None:
+        makers = [Path(__file__), Path(ghdl.__file__)]
+        build_once(self.work, [*self.vhdl_files, *self._bench_files(), *makers], self.trace, self._build)
 
-    def _command(self, stimulus, observed, wave, wave_clocks):
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         raise NotImplementedError
 
-    def run(self, stimulus, observed, on_clock, watchdog_seconds, wave=None, wave_clocks=(0, 0)):
-        """Simulates the whole stimulus; returns the seconds it took. `wave_clocks`: first and last clock to dump."""
-        Path(observed).unlink(missing_ok=True)
-        command = self._command(Path(stimulus).resolve(), Path(observed).resolve(), wave, wave_clocks)
+    def run(
+        self,
+        stimulus: Path,
+        observed: Path,
+        on_clock: Callable[[int], object],
+        watchdog_seconds: float,
+        wave: Path | None = None,
+        wave_clocks: Clocks = (0, 0),
+    ) -> float:
+        """Simulates the whole stimulus; returns the seconds it took. `wave_clocks`: what to dump."""
+        observed.unlink(missing_ok=True)
+        command = self._command(stimulus.resolve(), observed.resolve(), wave, wave_clocks)
 
-        def on_line(line):
+        def on_line(line: str) -> None:
             if line.startswith("progress "):
                 on_clock(int(line.split()[1]))
 
         return run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
 
 
-def build_once(work, files, options, build):
+def build_once(work: Path, files: Iterable[Path], options: object, build: Callable[[], None]) -> None:
     """Calls `build` in the empty folder `work`, unless the same files and options were built there before."""
     key = hashlib.sha256(repr(options).encode())
-    for path in map(Path, files):
+    for path in files:
         key.update(str(path.resolve()).encode())  # GHDL looks at the file again when it runs
         key.update(path.read_bytes())
     stamp = work / "built"
@@ -74,36 +86,43 @@ class Ghdl(Simulator):
     name = "ghdl"
     wave_suffixes = (".ghw", ".fst", ".vcd")
 
-    def _bench_files(self):
+    def _bench_files(self) -> list[Path]:
         return [BENCH / "tb_stereo_core.vhd"]
 
-    def _build(self):
-        self._analyse([*self.vhdl_files, *self._bench_files()])
+    def _build(self) -> None:
+        self._elaborate([*self.vhdl_files, *self._bench_files()])
 
-    def _analyse(self, files):
-        ghdl = find_ghdl()
-        run([ghdl, "-a", GHDL_STANDARD, *files], cwd=self.work, log=self.work / "analyse.log")
-        run([ghdl, "-e", GHDL_STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
+    def _elaborate(self, files: Iterable[Path]) -> None:
+        ghdl.analyse(files, self.work)
+        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
 
-    def _command(self, stimulus, observed, wave, wave_clocks):
-        command = [
-            find_ghdl(),
-            "-r",
-            GHDL_STANDARD,
-            "tb_stereo_core",
-            f"-gpixels={self.pixels}",
-            f"-gdisparity_bits={self.disparity_bits}",
-            f"-gstimulus_file={stimulus}",
-            f"-gobserved_file={observed}",
-        ]
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
+        generics = ghdl.options_of(
+            {
+                "pixels": self.pixels,
+                "disparity_bits": self.disparity_bits,
+                "stimulus_file": str(stimulus),
+                "observed_file": str(observed),
+            }
+        )
+        command: list[Word] = [find_ghdl(), "-r", ghdl.STANDARD, "tb_stereo_core", *generics]
         if wave is not None:
             # GHDL always dumps from the start; the stop time bounds the end.
             option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]
             command += [f"{option}={wave}", f"--stop-time={waveform.start_ns(wave_clocks[1] + 1)}ns"]
         return command
 
-    def run(self, stimulus, observed, on_clock, watchdog_seconds, wave=None, wave_clocks=(0, 0)):
-        """A .vcd has the clocks that were asked for: GHDL writes all into a pipe, and they are cut out at its other end."""
+    def run(
+        self,
+        stimulus: Path,
+        observed: Path,
+        on_clock: Callable[[int], object],
+        watchdog_seconds: float,
+        wave: Path | None = None,
+        wave_clocks: Clocks = (0, 0),
+    ) -> float:
+        """A .vcd has the clocks that were asked for: GHDL writes all into a pipe, and they are cut out at its other
+        end."""
         if wave is None or wave.suffix != ".vcd":
             return super().run(stimulus, observed, on_clock, watchdog_seconds, wave, wave_clocks)
         pipe = self.work / "wave.vcd"
@@ -121,8 +140,8 @@ class Ghdl(Simulator):
             pipe.unlink()
 
 
-def _cut(pipe, path, first_ns, last_ns):
-    with open(pipe, encoding="ascii") as lines, open(path, "w", encoding="ascii") as result:
+def _cut(pipe: Path, path: Path, first_ns: int, last_ns: int) -> None:
+    with pipe.open(encoding="ascii") as lines, path.open("w", encoding="ascii") as result:
         vcd.cut(lines, result.write, first_ns, last_ns)
 
 
@@ -132,14 +151,13 @@ class Original(Ghdl):
 
     name = "original"
 
-    def _bench_files(self):
+    def _bench_files(self) -> list[Path]:
         return [BENCH / "bambu_read_port.vhd", BENCH / "bambu_original.vhd", *super()._bench_files()]
 
-    def _build(self):
-        ghdl = find_ghdl()
+    def _build(self) -> None:
         library = self.work / "library"
         library.mkdir()
-        sources = []
+        sources: list[Path] = []
         for path in self.vhdl_files:
             if path.suffix == ".mem":
                 shutil.copy(path, self.work)
@@ -155,8 +173,9 @@ class Original(Ghdl):
             copy = library / f"{port}.vhd"
             copy.write_text(template.replace("PORT", port))
             sources.append(copy)
-        run([ghdl, "-a", GHDL_STANDARD, "--work=bambu", *sources], cwd=self.work, log=self.work / "library.log")
-        self._analyse(self._bench_files()[1:])
+        log = self.work / "library.log"
+        run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=self.work, log=log)
+        self._elaborate(self._bench_files()[1:])
 
 
 class Verilator(Simulator):
@@ -165,80 +184,37 @@ class Verilator(Simulator):
     name = "verilator"
     wave_suffixes = (".fst",)
 
-    def _bench_files(self):
+    def _bench_files(self) -> list[Path]:
         return [BENCH / "verilator_bench.cpp"]
 
-    def _build(self):
-        verilate(
-            self.work,
-            self.vhdl_files,
-            "stereo_core",
-            self._bench_files(),
-            options=["--trace-fst"] if self.trace else [],
-        )
+    def _build(self) -> None:
+        options = ["--trace-fst"] if self.trace else []
+        verilate(self.work, self.vhdl_files, "stereo_core", self._bench_files(), options=options)
 
-    def _command(self, stimulus, observed, wave, wave_clocks):
-        command = [verilated_bench(self.work), stimulus, observed]
-        if wave is not None:
-            command += [wave, *wave_clocks]
-        return command
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
+        dump: list[Word] = [] if wave is None else [wave, *wave_clocks]
+        return [verilated_bench(self.work), stimulus, observed, *dump]
 
 
-def verilate(work, vhdl_files, top, bench_files, generics=None, options=()):
+def verilate(
+    work: Path,
+    vhdl_files: Iterable[Path],
+    top: str,
+    bench_files: Iterable[Path],
+    generics: ghdl.Generics | None = None,
+    options: Sequence[str] = (),
+) -> None:
     """Compiles a design and its C++ bench to the program verilated_bench(work)."""
     verilator = find_verilator()
     source = work / f"{top}.v"
-    source.write_text(to_verilog(vhdl_files, work, top, generics))
-    run(
-        [
-            verilator,
-            "--cc",
-            "--exe",
-            "--build",
-            "-j",
-            os.cpu_count() or 1,
-            "-O3",
-            "--x-assign",
-            "fast",
-            "--output-split",
-            "20000",
-            "-Wno-fatal",
-            *options,
-            "-CFLAGS",
-            "-O2",
-            "--top-module",
-            top,
-            "--Mdir",
-            work / "model",
-            "-o",
-            "bench",
-            source,
-            *bench_files,
-        ],
-        cwd=work,
-        log=work / "verilator.log",
-    )
+    source.write_text(ghdl.to_verilog(vhdl_files, work, top, generics))
+    command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options, "-CFLAGS", "-O2"]
+    command += ["--top-module", top, "--Mdir", work / "model", "-o", "bench", source, *bench_files]
+    run(command, cwd=work, log=work / "verilator.log")
 
 
-def verilated_bench(work):
+def verilated_bench(work: Path) -> Path:
     return work / "model" / "bench"
 
 
-SIMULATORS = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}
-
-
-def to_verilog(vhdl_files, work_directory, top="stereo_core", generics=None):
-    """The design as Verilog text, by `ghdl --synth`. `generics`: {name: value} of the top."""
-    ghdl = find_ghdl()
-    folder = Path(work_directory) / "synth"
-    folder.mkdir(parents=True, exist_ok=True)
-    run([ghdl, "-a", GHDL_STANDARD, *vhdl_files], cwd=folder, log=folder / "analyse.log")
-    values = [f"-g{name}={value}" for name, value in (generics or {}).items()]
-    log = folder / "synth.log"
-    verilog = run([ghdl, "--synth", GHDL_STANDARD, *values, "--out=verilog", top], cwd=folder, log=log)
-    lost = re.search(r".*warning: no assignment for offset.*", log.read_text())
-    if lost:
-        raise FlowError(f"ghdl --synth leaves bits without a value: {lost.group()}", EXIT_TOOL_FAILED)
-    if f"module {top}" not in verilog:
-        raise FlowError(f"ghdl --synth did not write a module {top}", EXIT_TOOL_FAILED)
-    return verilog
+SIMULATORS: dict[str, type[Simulator]] = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}

@@ -2,8 +2,8 @@
 """The text files between the C++ core, the simulators and the checker.
 
 stimulus.txt, expected.txt   what the C++ core makes: hls_tb/vectors/vector_files.hpp defines them
-observed.txt                 "clock DISPARITY flags" for each valid output of the simulated VHDL, with the word and the flags
-                             of expected.txt, then "end CLOCKS"; "clock X X" where an output was neither 0 nor 1
+observed.txt                 "clock DISPARITY flags" for each valid output of the simulated VHDL, with the word and the
+                             flags of expected.txt, then "end CLOCKS"; "clock X X" where an output was neither 0 nor 1
 
 Clocks count from 0, the first clock after reset.
 """
@@ -11,6 +11,7 @@ Clocks count from 0, the first clock after reset.
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 
@@ -28,24 +29,28 @@ class Expected:
     flags: int
 
 
+Seen = int | Literal["X"]  # "X" where the simulator saw no number
+
+
 @dataclass(frozen=True)
 class Observed:
     clock: int
-    disparity: object  # port word, or "X" where the simulator saw no number
-    flags: object
+    disparity: Seen  # port word
+    flags: Seen
 
 
-def read_lines(path):
+def read_lines(path: Path) -> list[str]:
     """The lines of a text file of a simulation."""
     try:
-        return Path(path).read_text(encoding="ascii").splitlines()
+        return path.read_text(encoding="ascii").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise FlowError(
             f"cannot read vector file {path}: {getattr(error, 'strerror', None) or 'not a text file'}"
         ) from None
 
 
-def _read_header(path, lines, kind, count_key):
+def _read_header(path: Path, lines: list[str], kind: str, count_key: str) -> tuple[dict[str, str], int]:
+    """(what the first line says, digits of a word of pixels)"""
     match = re.fullmatch(rf"stereo-hls {kind} {FORMATS[kind]} ((?:\w+=\S+ ?)+)", lines[0]) if lines else None
     if not match:
         raise FlowError(f"{path}, line 1: not a '{kind}' vector file of format {FORMATS[kind]}")
@@ -56,11 +61,14 @@ def _read_header(path, lines, kind, count_key):
         raise FlowError(f"{path}, line 1: no number {count_key}=")
     if len(lines) - 1 != int(header[count_key]):
         raise FlowError(f"{path}: the first line promises {header[count_key]} lines, but {len(lines) - 1} follow")
-    return header, 2 * int(header["pixels"])  # digits of a word of pixels
+    return header, 2 * int(header["pixels"])
 
 
-def read_stimulus(path):
-    """The stimulus as a list of (valid, start_of_frame), one a clock."""
+# (valid, start_of_frame) of each clock.
+Stimulus = list[tuple[bool, bool]]
+
+
+def read_stimulus(path: Path) -> Stimulus:
     lines = read_lines(path)
     _, digits = _read_header(path, lines, "stimulus", "clocks")
     pattern = re.compile(rf"[0-3] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
@@ -70,7 +78,7 @@ def read_stimulus(path):
     return [(line[0] in "13", line[0] in "23") for line in lines[1:]]
 
 
-def read_expected(path):
+def read_expected(path: Path) -> tuple[list[Expected], int]:
     """(expected outputs, latency of the C++ core in clocks)"""
     lines = read_lines(path)
     header, digits = _read_header(path, lines, "expected", "outputs")
@@ -92,7 +100,7 @@ def read_expected(path):
     return outputs, int(header["latency"])
 
 
-def read_observed(path):
+def read_observed(path: Path) -> tuple[list[Observed], int]:
     """(observed outputs, simulated clocks). A file without its last line comes from a simulation that did not end."""
     lines = read_lines(path)
     if not lines or not re.fullmatch(f"end {NUMBER}", lines[-1]):

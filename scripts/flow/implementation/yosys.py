@@ -5,10 +5,10 @@ import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Optional
 
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import find_tool, run
+from ..base.tools import find_yosys, run
+from .record import Area
 
 TOP = "stereo_core"
 # Before each target's own script, which looks at the design module by module and turns `-1 - x` into a carry chain;
@@ -16,7 +16,8 @@ TOP = "stereo_core"
 # other families, with -abc9, it changes next to nothing.
 GENERIC = f"hierarchy -top {TOP}; proc; flatten; opt -full"
 
-# Cyclone V's own script folds constants of adders less well: this took another sixth of the carry cells of ambrosch2007.
+# Cyclone V's own script folds constants of adders less well: this took another sixth of the carry cells of
+# ambrosch2007.
 FOLDED = f"{GENERIC}; wreduce; peepopt; opt_clean; alumacc; opt_expr -fine; opt_clean"
 
 
@@ -28,19 +29,19 @@ class Target:
     synthesis: str
     map_memories: str  # the step of the synthesis that turns memories into RAM; map_ffram makes flip-flops of the rest
     lut_name: str
-    luts: dict
-    ffs: tuple
-    block_rams: tuple
-    device: Optional[str] = None  # only where the result is placed and routed
+    luts: dict[str, int]
+    ffs: tuple[str, ...]
+    block_rams: tuple[str, ...]
+    device: str | None = None  # only where the result is placed and routed
     prepare: str = GENERIC
 
 
 TARGETS = {
     target.name: target
     for target in (
-        # A carry cell takes both LUTs of its half slice. A 16x4 RAM takes 4 LUTs in two slices for its data and the 2 LUTs
-        # of a third slice for its write port; nextpnr counts the same ("RAM LUTs", "RAMW LUTs"). PFUMX and L6MUX21 are
-        # multiplexers beside the LUTs.
+        # A carry cell takes both LUTs of its half slice. A 16x4 RAM takes 4 LUTs in two slices for its data and the 2
+        # LUTs of a third slice for its write port; nextpnr counts the same ("RAM LUTs", "RAMW LUTs"). PFUMX and L6MUX21
+        # are multiplexers beside the LUTs.
         Target(
             "ecp5",
             f"synth_ecp5 -abc9 -top {TOP}",
@@ -76,11 +77,7 @@ TARGETS = {
 }
 
 
-def find_yosys():
-    return find_tool("yosys", "YOSYS", "on Debian: apt-get install yosys")
-
-
-def version():
+def version() -> str:
     text = run([find_yosys(), "-V"])
     match = re.match(r"Yosys \S+", text)
     if not match:
@@ -88,31 +85,27 @@ def version():
     return match.group()
 
 
-def script(target):
-    """The commands: synthesis with two looks at the memories that are not mapped yet, before and after their mapping."""
+def script(target: Target) -> str:
+    """The commands: synthesis with two looks at the memories that are not mapped yet, before and after their
+    mapping."""
     synthesis = target.synthesis
     # Only nextpnr reads a netlist.
     netlist = "; write_json netlist.json" if target.device else ""
-    return (
-        "\n".join(
-            [
-                f"read_verilog {TOP}.v",
-                target.prepare,
-                f"{synthesis} -run begin:{target.map_memories}",
-                "tee -q -o memories.txt dump t:$mem_v2",
-                f"{synthesis} -run {target.map_memories}:map_ffram",
-                "tee -q -o unmapped.txt dump t:$mem_v2",
-                f"{synthesis} -run map_ffram:",
-                f"tee -q -o stat.json stat -json{netlist}",
-            ]
-        )
-        + "\n"
-    )
+    lines = [
+        f"read_verilog {TOP}.v",
+        target.prepare,
+        f"{synthesis} -run begin:{target.map_memories}",
+        "tee -q -o memories.txt dump t:$mem_v2",
+        f"{synthesis} -run {target.map_memories}:map_ffram",
+        "tee -q -o unmapped.txt dump t:$mem_v2",
+        f"{synthesis} -run map_ffram:",
+        f"tee -q -o stat.json stat -json{netlist}",
+    ]
+    return "\n".join(lines) + "\n"
 
 
-def synthesize(target, verilog, work):
+def synthesize(target: Target, verilog: str, work: Path) -> tuple[Area, list[str]]:
     """Runs yosys in the folder `work`. Returns the area, and the names of memories that became flip-flops."""
-    work = Path(work)
     (work / f"{TOP}.v").write_text(verilog)
     (work / "synthesis.ys").write_text(script(target))
     run([find_yosys(), "-s", "synthesis.ys"], cwd=work, log=work / "yosys.log")
@@ -127,8 +120,8 @@ def synthesize(target, verilog, work):
     return area(target, cells, sum(memories.values()), bool(lost)), sorted(lost)
 
 
-def area(target, cells, memory_bits, memory_in_flip_flops):
-    def total(weights):
+def area(target: Target, cells: dict[str, int], memory_bits: int, memory_in_flip_flops: bool) -> Area:
+    def total(weights: dict[str, int]) -> int:
         # The longest beginning that fits counts: MISTRAL_ALUT also stands for MISTRAL_ALUT2 ... 6 and _ARITH.
         return sum(
             count * weight
@@ -137,24 +130,28 @@ def area(target, cells, memory_bits, memory_in_flip_flops):
             if name.startswith(start)
         )
 
-    return {
-        "aluts" if target.lut_name == "ALUT" else "luts": total(target.luts),
+    found: Area = {
         "ffs": total(dict.fromkeys(target.ffs, 1)),
         "memory_bits": memory_bits,
         "block_rams": total(dict.fromkeys(target.block_rams, 1)),
         "memory_in_flip_flops": memory_in_flip_flops,
         "cells": dict(sorted(cells.items())),
     }
+    found["aluts" if target.lut_name == "ALUT" else "luts"] = total(target.luts)
+    return found
 
 
-def read_memories(dump):
-    """{name: bits} of the memories in a dump of $mem_v2 cells."""
+def read_memories(dump: str) -> dict[str, int]:
+    """{name: bits} of the memories in a dump of $mem_v2 cells; ValueError where one has no size."""
     found = {}
     for cell in re.split(r"^  cell \$mem_v2 ", dump, flags=re.MULTILINE)[1:]:
         name = cell.split(None, 1)[0].removeprefix("\\")
-        size, width = (
-            int(re.search(rf"parameter (?:signed )?\\{key} (\d+)$", cell, re.MULTILINE).group(1))
-            for key in ("SIZE", "WIDTH")
-        )
-        found[name] = size * width
+        found[name] = _parameter(cell, "SIZE") * _parameter(cell, "WIDTH")
     return found
+
+
+def _parameter(cell: str, key: str) -> int:
+    match = re.search(rf"parameter (?:signed )?\\{key} (\d+)$", cell, re.MULTILINE)
+    if match is None:
+        raise ValueError(f"a memory has no {key}")
+    return int(match.group(1))

@@ -3,11 +3,12 @@
 
 import random
 import re
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 # (kind, pattern of what is replaced, replacement). The pattern sees code without comments.
-RULES = (
+RULES: tuple[tuple[str, str, str | Callable[[re.Match[str]], str]], ...] = (
     ("relation", r"(?<= )= (?!>)", "/= "),
     ("relation", r"(?<= )/= ", "= "),
     ("relation", r"(?<= )< (?!=)", "<= "),
@@ -28,7 +29,8 @@ RULES = (
 )
 ASSIGNMENT = re.compile(r"^ +\w+(\([\w ]+\))? (<=|:=) [^;]+;$")
 SKIPPED = re.compile(
-    r"^ *(--|library|use |entity|end|port|generic|signal .*;|subtype|type |for |procedure)|: (in|out) |return (natural|std_logic)"
+    r"^ *(--|library|use |entity|end|port|generic|signal .*;|subtype|type |for |procedure)"
+    r"|: (in|out) |return (natural|std_logic)"
 )
 
 
@@ -41,7 +43,7 @@ class Mutant:
     key: str  # file | line as it was | what changed | which of several equal ones: names it while other lines change
 
 
-def _sibling_indices(line, names):
+def _sibling_indices(line: str, names: set[str]) -> Iterator[tuple[str, str, str]]:
     """Changes of one register's name into its neighbour's, on the right of an assignment."""
     left, arrow, right = line.partition("<=")
     if not arrow:
@@ -52,17 +54,14 @@ def _sibling_indices(line, names):
             yield match.group(), neighbour, left + arrow + right[: match.start()] + neighbour + right[match.end() :]
 
 
-def _changes(line, names):
+def _changes(line: str, names: set[str]) -> Iterator[tuple[str, str, str]]:
     """(kind, what changed, new line) for each rule at each place of a line."""
     code = line.partition("--")[0].rstrip()
     for kind, pattern, replacement in RULES:
         for match in re.finditer(pattern, code):
             new = match.expand(replacement) if isinstance(replacement, str) else replacement(match)
-            yield (
-                kind,
-                f"column {match.start()}: {match.group().strip()} -> {new.strip()}",
-                code[: match.start()] + new + code[match.end() :],
-            )
+            what = f"column {match.start()}: {match.group().strip()} -> {new.strip()}"
+            yield kind, what, code[: match.start()] + new + code[match.end() :]
     for old, new, text in _sibling_indices(code, names):
         yield "index", f"{old} -> {new}", text
     if ASSIGNMENT.match(code) and " when " not in code:
@@ -70,12 +69,12 @@ def _changes(line, names):
         yield "dropped", "assignment dropped", f"{indent}null;"
 
 
-def mutants_of(path):
+def mutants_of(path: Path) -> Iterator[Mutant]:
     """All mutants of a file, in the order of its lines. Dropped assignments outside a process do not compile."""
     lines = path.read_text().splitlines()
     names = set(re.findall(r"\b[a-z]\w*\b", "\n".join(lines)))
     start = next((i for i, line in enumerate(lines) if line.startswith(("architecture", "package"))), 0)
-    seen = {}
+    seen: dict[str, int] = {}
     for number, line in enumerate(lines[start:], start):
         if SKIPPED.search(line.partition("--")[0] or "--"):
             continue
@@ -86,9 +85,8 @@ def mutants_of(path):
             yield Mutant(path, number, text, kind, key)
 
 
-def write(mutant, folder):
+def write(mutant: Mutant, folder: Path) -> Path:
     """A copy of the mutant's file with the fault in it."""
-    folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     lines = mutant.file.read_text().splitlines()
     lines[mutant.line] = mutant.text
@@ -97,10 +95,10 @@ def write(mutant, folder):
     return target
 
 
-def shuffled(paths, seed):
+def shuffled(paths: Iterable[Path], seed: int) -> Iterator[Mutant]:
     """The mutants of some files in random order, the kinds in turn, so that a small sample has some of each."""
     rng = random.Random(f"mutants {seed}")
-    by_kind = {}
+    by_kind: dict[str, list[Mutant]] = {}
     for path in paths:
         for mutant in mutants_of(path):
             by_kind.setdefault(mutant.kind, []).append(mutant)

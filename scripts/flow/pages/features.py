@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/features.md: what each option of the algorithm and of the pipeline costs, from committed files only."""
 
-from ..base.markdown import code, number, table
+from pathlib import Path
+
+from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
-from ..implementation import figures, job as implement
+from ..implementation import figures
+from ..implementation.record import Result
 from ..implementation.results import Configuration
+from ..synthesis.manifest import known_configurations
 
 PAGE = ROOT / "docs" / "features.md"
+TEXT = Path(__file__).parent / "texts" / "features.md"
 BASE = "study"
 
 # What stands in the table, in its order: (heading of the group, [(configuration, what it has)])
@@ -41,59 +46,36 @@ OPTIONS = [
 ]
 DEPTHS = ["study", "study_cost2", "study_cost1", "study_group4", "study_slice4", "study_slice16"]
 
-TEXT = """\
-# Features and what they cost
 
-Made by `scripts/features.py` from the manifest.json and implementation.json of the folders in `generated_rtl/`. Do not edit.
-A dash is a number that is not measured yet.
-
-[algorithm.md](algorithm.md) defines each option. All rows: {size} on the LFE5U-85F, speed grade 8, look-up tables by yosys
-(LUT RAM counts as look-up tables), clock after place and route by nextpnr, one seed: differences of some per cent are noise.
-Clocks a frame: when frames follow each other as closely as they may. Latency: from the last group of pixels that a disparity
-needs to the disparity; a left/right check needs D-1 more columns, a median and a prefilter a row and a column, a census
-transform as many rows and columns as its window reaches.
-
-{options}
-
-Printed again by `scripts/synthesize.py --config NAME`, `scripts/implement.py --config NAME --target ecp5 --seeds 1` and
-`scripts/features.py`.
-
-## Direct or recursive sums
-
-Direct sums add all rows of a window in each clock. Recursive sums add the row that enters the window and subtract the one that
-leaves it, and need a memory for the sums of all columns, and a gap of as many rows as the window reaches down between frames.
-{crossover}
-
-## Pipeline depth
-
-The same core with other parameters of its blocks (`cost_clocks`, `winner_group`, `slice_disparities`).
-
-{depths}
-"""
+def page() -> str:
+    p = Configuration(BASE).parameters
+    size = f"{p['width_px']}x{p['height_px']}, D = {p['disparities']}"
+    return TEXT.read_text().format(
+        size=size, options=options_table(), crossover="\n" + crossover(), depths=depths_table()
+    )
 
 
-def _result(name):
-    """(configuration, its ECP5 result or None)"""
-    configuration = Configuration(name)
-    return configuration, configuration.targets.get("ecp5")
+def _known(name: str) -> bool:
+    return name in known_configurations()
 
 
-def _known(name):
-    return name in implement.known_configurations()
+def _routed(name: str) -> Result | None:
+    return Configuration(name).targets.get("ecp5")
 
 
-def options_table():
-    base = _result(BASE)[1] if _known(BASE) else None
+def options_table() -> str:
+    head = ["", "option", "clocks a frame", "latency", "LUT4", "more LUT4", "flip-flops", "memory bits", "block RAMs"]
+    base = _routed(BASE) if _known(BASE) else None
     rows = []
     for heading, members in OPTIONS:
         for name, what in members:
             if not _known(name):
-                rows.append([heading, what, *["-"] * 9])
+                rows.append([heading, what, *[UNKNOWN] * 9])
                 continue
-            configuration, result = _result(name)
+            configuration, result = Configuration(name), _routed(name)
             p, tool = configuration.parameters, configuration.manifest["tool_report"]
             luts = figures.lut_count(result) if result else None
-            extra = f"{luts - figures.lut_count(base):+,}" if result and base and name != BASE else "-"
+            more = luts - figures.lut_count(base) if luts is not None and base and name != BASE else None
             rows.append(
                 [
                     heading,
@@ -101,64 +83,38 @@ def options_table():
                     number(figures.clocks_per_frame(p)),
                     number(p["latency_clocks"]),
                     number(luts),
-                    extra,
-                    number(result and result["ffs"]),
+                    UNKNOWN if more is None else f"{more:+,}",
+                    number(result["ffs"] if result else None),
                     number(tool["memory_bits"]),
-                    number(result and result["block_rams"]),
-                    number(result and result["fmax_mhz"]["median"], 1),
+                    number(result["block_rams"] if result else None),
+                    number(result["fmax_mhz"]["median"] if result else None, 1),
                     code(name),
                 ]
             )
-    return table(
-        [
-            "",
-            "option",
-            "clocks a frame",
-            "latency",
-            "LUT4",
-            "more LUT4",
-            "flip-flops",
-            "memory bits",
-            "block RAMs",
-            "MHz",
-            "configuration",
-        ],
-        rows,
-    )
+    return table([*head, "MHz", "configuration"], rows)
 
 
-def depths_table():
+def depths_table() -> str:
     rows = []
-    for name in DEPTHS:
-        if not _known(name):
-            continue
-        configuration, result = _result(name)
-        p = configuration.parameters
+    for name in filter(_known, DEPTHS):
+        p, result = Configuration(name).parameters, _routed(name)
         rows.append(
             [
-                *[str(p[key]) for key in ("cost_clocks", "winner_group", "slice_disparities", "latency_clocks")],
-                number(result and figures.lut_count(result)),
-                number(result and result["ffs"]),
-                number(result and result["fmax_mhz"]["median"], 1),
+                str(p["cost_clocks"]),
+                str(p["winner_group"]),
+                str(p["slice_disparities"]),
+                str(p["latency_clocks"]),
+                number(figures.lut_count(result) if result else None),
+                number(result["ffs"] if result else None),
+                number(result["fmax_mhz"]["median"] if result else None, 1),
                 code(name),
             ]
         )
-    return table(
-        [
-            "cost_clocks",
-            "winner_group",
-            "slice_disparities",
-            "latency, clocks",
-            "LUT4",
-            "flip-flops",
-            "MHz",
-            "configuration",
-        ],
-        rows,
-    )
+    head = ["cost_clocks", "winner_group", "slice_disparities", "latency, clocks", "LUT4", "flip-flops", "MHz"]
+    return table([*head, "configuration"], rows)
 
 
-def crossover():
+def crossover() -> str:
     """For each window that was built both ways, which takes fewer look-up tables."""
     sentences = []
     for window, direct, recursive in (
@@ -167,17 +123,9 @@ def crossover():
         (7, "study_w7", "study_w7_recursive"),
         (9, "study_w9", "study_w9_recursive"),
     ):
-        if not (_known(direct) and _known(recursive)):
-            continue
-        results = [_result(name)[1] for name in (direct, recursive)]
-        if all(results):
-            luts = [figures.lut_count(result) for result in results]
+        results = [_routed(name) for name in (direct, recursive) if _known(name)]
+        luts = [figures.lut_count(result) for result in results if result]
+        if len(luts) == 2:
             better = "direct" if luts[0] < luts[1] else "recursive"
             sentences.append(f"{window}x{window}: {luts[0]:,} LUT4 direct, {luts[1]:,} recursive: {better}.")
     return "\n".join(f"- {sentence}" for sentence in sentences)
-
-
-def page():
-    p = Configuration(BASE).parameters
-    size = f"{p['width_px']}x{p['height_px']}, D = {p['disparities']}"
-    return TEXT.format(size=size, options=options_table(), crossover="\n" + crossover(), depths=depths_table())

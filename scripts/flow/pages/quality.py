@@ -3,11 +3,12 @@
 
 import os
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 
 from ..base.markdown import number, table
-from ..base.tools import ROOT
-from ..quality.evaluation import MASKS, MEASURES, evaluate, scene
+from ..base.tools import ROOT, Word
+from ..quality.evaluation import MASKS, MEASURES, Method, evaluate, scene
 
 PAGE = ROOT / "docs" / "quality.md"
 SCENES_PAGE = ROOT / "build" / "quality_scenes.md"
@@ -32,7 +33,7 @@ _CENSUS_9X3 = (
     "window_px=9",
     "median=true",
 )
-OURS = [
+OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("SAD 3x3, the paper's", "ambrosch2007", ()),
     ("SAD 9x9, left reference, subpixel", "ambrosch2007", (*_PLAIN, "window_px=9")),
     ("SSD 9x9, left reference, subpixel", "ambrosch2007", (*_PLAIN, "window_px=9", "cost=ssd")),
@@ -52,78 +53,23 @@ PAIR_DISPARITIES = 48
 SCENE_DISPARITIES = 64
 SCENE_SEEDS = (1, 2, 3)
 
-TEXT = """\
-# Quality
+TEXTS = Path(__file__).parent / "texts"
+RULES = (TEXTS / "quality_rules.md").read_text().rstrip()
 
-Made by `scripts/quality.py` with `stereo_hls evaluate`. Do not edit. The pair is not part of this repository: the command
-takes its folder with `--pair`, or finds `teddy` below the folder in the variable `STEREO_DATA`. Without it the command measures
-the scenes only.
-
-{rules}
-
-## Teddy, a real pair
-
-The Middlebury pair Teddy, 450x375, {disparities} disparities, truth in quarters of a pixel. Bad 1: percent of the pixels that
-are invalid or off by more than 1 px. Density: percent of the non-occluded pixels that are valid.
-
-{pair_regions}
-
-The non-occluded pixels again, in percent and pixels. The left part counts invalid pixels as bad, the right part and the errors
-leave them out.
-
-{pair_measures}
-
-### Is the measure right?
-
-OpenCV's own regression test has stored what StereoBM had on this pair, and fails when it gets worse by more than {tolerance} percent
-points. `scripts/tests/test_quality.py` allows as much to either side.
-
-{stored}
-
-### Against StereoBM
-
-{verdict}
-
-{scenes}
-"""
-
-RULES = """\
-All methods get the same grey images and are measured in the same run, with the same rules, each against the truth of its own
-reference image. The rules are those of OpenCV's regression test (modules/calib3d/test/test_stereomatching.cpp), after
-Scharstein and Szeliski (2002):
-
-- **all**: the truth is known, and the pixel is 10 px or more away from the border of the image. Pixels outside a method's map
-  are invalid: our maps and OpenCV's lack as many columns as there are disparities.
-- **non-occluded**: in `all`, and the other image shows the pixel: the other truth, where the disparity leads to, is not larger by
-  more than 1 px.
-- **discontinuity**: non-occluded and in a 9x9 square around a step of more than 2 px between neighbours.
-- **textureless**: non-occluded and of a squared horizontal gradient, averaged over 3x3 pixels, below 4.
-- **invalid pixels**: OpenCV's test compares its mark for them, -1, with the truth, so they are bad. Here both ways are shown.
-- **bad t**: off by more than t px. **D1**, KITTI's: off by more than 3 px and more than 5 % of the truth.
-
-StereoBM runs with its defaults and block 15, StereoSGBM with the parameters of the same test: block 3, P1 90, P2 360,
-uniqueness 10 %, speckles of 100 px."""
-
-SCENES_TEXT = """\
-## Generated scenes
-
-`stereo_hls scene`, 450x375, {disparities} disparities, mean of the seeds {seeds}. The truth is rounded to whole pixels, so
-smaller thresholds than 1 px mean little. Columns as above.
-
-{regions}
-"""
+Measured = list[tuple[str, Method]]  # (title, what was measured) of each method
 
 
-def default_pair():
+def default_pair() -> Path:
     return Path(os.environ.get("STEREO_DATA") or ROOT.parent / "shared" / "data" / "stereo") / "teddy"
 
 
-def missing_files(pair):
+def missing_files(pair: Path) -> list[str]:
     return [str(pair / name) for name in PAIR_FILES if not (pair / name).is_file()]
 
 
-def measure(images, disparities):
-    """[(title, method)] of OpenCV's matchers and ours."""
+def measure(images: Iterable[Word], disparities: int) -> Measured:
+    """OpenCV's matchers and ours."""
+    images = list(images)
     opencv = [word for name in ("bm", "sgbm") for word in ("--opencv", name)]
     results = [(m["name"], m) for m in evaluate(*images, *opencv, "--opencv-disparities", disparities)]
     for title, config, settings in OURS:
@@ -132,53 +78,40 @@ def measure(images, disparities):
     return results
 
 
-def pair_images(pair):
+def pair_images(pair: Path) -> list[Word]:
     left, right, truth_left, truth_right = (pair / name for name in PAIR_FILES)
-    return [
-        "--left",
-        left,
-        "--right",
-        right,
-        "--truth-left",
-        truth_left,
-        "--truth-right",
-        truth_right,
-        "--truth-scale",
-        4,
-    ]
+    truths: list[Word] = ["--truth-left", truth_left, "--truth-right", truth_right, "--truth-scale", 4]
+    return ["--left", left, "--right", right, *truths]
 
 
-def bad_1(method, mask="non_occluded"):
+def bad_1(method: Method, mask: str = "non_occluded") -> float:
     """Fraction, invalid pixels as bad."""
-    return method["masks"][mask]["bad_1"]["invalid_bad"]
+    fraction: float = method["masks"][mask]["bad_1"]["invalid_bad"]
+    return fraction
 
 
-def percent(value, digits=2):
-    return number(None if value is None else 100 * value, digits)
+def percent(fraction: float | None, digits: int = 2) -> str:
+    return number(None if fraction is None else 100 * fraction, digits)
 
 
-def _mean(values):
-    return None if None in values else sum(values) / len(values)
+def _mean(values: list[float | None]) -> float | None:
+    """None where a value is not known."""
+    known = [value for value in values if value is not None]
+    return sum(known) / len(known) if len(known) == len(values) else None
 
 
-def regions_table(runs):
+def regions_table(runs: Iterable[Measured]) -> str:
     """Bad 1 over every mask; a run is a list as `measure` returns it, and figures are means over the runs."""
     rows = []
     for same in zip(*runs):
         title, methods = same[0][0], [method for _, method in same]
-        mean = lambda value: percent(_mean([value(m) for m in methods]))  # noqa: E731
-        rows.append(
-            [
-                title,
-                methods[0]["reference"],
-                *(mean(lambda m, k=mask: bad_1(m, k)) for mask in MASKS),
-                mean(lambda m: m["masks"]["non_occluded"]["density"]),
-            ]
-        )
+        bad = [percent(_mean([bad_1(method, mask) for method in methods])) for mask in MASKS]
+        density = percent(_mean([method["masks"]["non_occluded"]["density"] for method in methods]))
+        rows.append([title, methods[0]["reference"], *bad, density])
     return table(["method", "reference", *(f"bad 1, {title}" for title in MASK_TITLES), "density"], rows)
 
 
-def measures_table(results):
+def measures_table(results: Measured) -> str:
     titles = ("bad 0.5", "bad 1", "bad 2", "bad 4", "D1")
     rows = []
     for title, method in results:
@@ -195,7 +128,7 @@ def measures_table(results):
     return table(["method", *titles, *(f"{title} of valid" for title in titles), "mean error, px", "RMS, px"], rows)
 
 
-def stored_table(bm):
+def stored_table(bm: Method) -> str:
     rows = [
         [
             title,
@@ -209,51 +142,57 @@ def stored_table(bm):
     return table(["bad 1 of StereoBM, percent", "stored", "here", "difference"], rows)
 
 
-def best_of_ours(results):
-    """(title, method) of the configuration with the fewest bad pixels among the non-occluded ones of the left image, which is
+def best_of_ours(results: Measured) -> tuple[str, Method]:
+    """The configuration with the fewest bad pixels among the non-occluded ones of the left image, which is
     StereoBM's reference."""
     ours = [(title, m) for title, m in results if m["kind"] == "core" and m["reference"] == "left"]
     return min(ours, key=lambda entry: bad_1(entry[1]))
 
 
-def verdict(results):
+def verdict(results: Measured) -> str:
     bm = bad_1(dict(results)[BM])
     title, best = best_of_ours(results)
     word = "fewer" if bad_1(best) < bm else "not fewer"
     return (
         f'With the same reference image the best of ours, "{title}", has {word} bad pixels than\n'
-        f"StereoBM with its stored parameters: {percent(bad_1(best))} % against {percent(bm)} % (bad 1, non-occluded, invalid pixels as bad).\n"
-        "The rows above say where it comes from: our map has no border of half a window that is invalid, checks cost density, and a\n"
-        "census transform finds more than the x-Sobel filter. StereoSGBM smooths along whole lines, which no block matcher does.\n"
+        f"StereoBM with its stored parameters: {percent(bad_1(best))} % against {percent(bm)} % "
+        "(bad 1, non-occluded, invalid pixels as bad).\n"
+        "The rows above say where it comes from: our map has no border of half a window that is invalid, "
+        "checks cost density, and a\n"
+        "census transform finds more than the x-Sobel filter. "
+        "StereoSGBM smooths along whole lines, which no block matcher does.\n"
         "The census rows were picked on this very pair, among some seventy; the scenes below had no part in it."
     )
 
 
-def scenes_text():
+def scenes_text() -> str:
     runs = []
     with tempfile.TemporaryDirectory() as folder:
         for seed in SCENE_SEEDS:
             images = scene(seed, SCENE_DISPARITIES, Path(folder) / str(seed))
             runs.append(measure([word for option in images.items() for word in option], SCENE_DISPARITIES))
-    return SCENES_TEXT.format(
-        disparities=SCENE_DISPARITIES, seeds=", ".join(map(str, SCENE_SEEDS)), regions=regions_table(runs)
-    ).rstrip()
+    text, seeds = (TEXTS / "quality_scenes.md").read_text(), ", ".join(map(str, SCENE_SEEDS))
+    return text.format(disparities=SCENE_DISPARITIES, seeds=seeds, regions=regions_table(runs)).rstrip()
 
 
-def page(pair):
+def page(pair: Path) -> str:
     results = measure(pair_images(pair), PAIR_DISPARITIES)
-    return TEXT.format(
-        rules=RULES,
-        disparities=PAIR_DISPARITIES,
-        pair_regions=regions_table([results]),
-        pair_measures=measures_table(results),
-        tolerance=f"{100 * OPENCV_TOLERANCE:g}",
-        stored=stored_table(dict(results)[BM]),
-        verdict=verdict(results),
-        scenes=scenes_text(),
+    return (
+        (TEXTS / "quality.md")
+        .read_text()
+        .format(
+            rules=RULES,
+            disparities=PAIR_DISPARITIES,
+            pair_regions=regions_table([results]),
+            pair_measures=measures_table(results),
+            tolerance=f"{100 * OPENCV_TOLERANCE:g}",
+            stored=stored_table(dict(results)[BM]),
+            verdict=verdict(results),
+            scenes=scenes_text(),
+        )
     )
 
 
-def scenes_page():
+def scenes_page() -> str:
     head = "# Quality, the scenes only\n\nMade by `scripts/quality.py`, which did not find the pair Teddy. Do not edit."
     return f"{head}\n\n{RULES}\n\n{scenes_text()}\n"

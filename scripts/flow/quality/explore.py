@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parameter study: `stereo_hls evaluate` of many choices of options on some pairs, beside what each costs in hardware."""
+"""Parameter study: `stereo_hls evaluate` of many choices of options on some pairs, beside what each costs in
+hardware."""
 
 import csv
 import io
 import itertools
 import json
 import shlex
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from ..base import files
 from ..base.errors import FlowError
+from ..base.tools import Word
 from . import evaluation, hardware_cost
+from .evaluation import Method
 
 FORMAT = "stereo-hls exploration 1"
 PROGRAM = "build/release/stereo_hls"
@@ -36,23 +41,26 @@ class Pair:
     name: str
     left: Path
     right: Path
-    truth_left: object  # a path, or None
-    truth_right: object
+    truth_left: Path | None
+    truth_right: Path | None
     scale: float = 1
 
-    def words(self):
-        words = ["--left", self.left, "--right", self.right]
+    def words(self) -> list[Word]:
+        words: list[Word] = ["--left", self.left, "--right", self.right]
         for option, path in (("--truth-left", self.truth_left), ("--truth-right", self.truth_right)):
-            words += [option, path] if path else []
-        return [*words, *(["--truth-scale", f"{self.scale:g}"] if self.scale != 1 else [])]
+            if path:
+                words += [option, path]
+        if self.scale != 1:
+            words += ["--truth-scale", f"{self.scale:g}"]
+        return words
 
 
 @dataclass(frozen=True)
 class Sweep:
-    windows: list
-    costs: list
-    ranges: list
-    switches: list  # each is swept off and on
+    windows: list[int]
+    costs: list[str]
+    ranges: list[int]
+    switches: list[str]  # each is swept off and on
 
 
 @dataclass(frozen=True)
@@ -62,15 +70,20 @@ class Choice:
     window: int
     cost: str
     disparities: int
-    switches: tuple
-    settings: tuple  # ("NAME=VALUE", ...)
+    switches: tuple[str, ...]
+    settings: tuple[str, ...]  # ("NAME=VALUE", ...)
 
     @property
-    def title(self):
+    def title(self) -> str:
         return " ".join([f"{self.cost} {self.window}x{self.window}", *self.switches])
 
 
-def choices(sweep, family):
+# One choice in explore.json: what it is, "luts" and where they come from, each measure in percent (None where no pixel
+# counts), "commands"; mark_front adds "front".
+Row = dict[str, Any]
+
+
+def choices(sweep: Sweep, family: hardware_cost.Family) -> tuple[list[Choice], int]:
     """(choices, how many combinations were left out because no core has them)"""
     found, refused = [], 0
     switch_sets = [
@@ -78,58 +91,50 @@ def choices(sweep, family):
         for flags in itertools.product((False, True), repeat=len(sweep.switches))
     ]
     for disparities, cost, window, switches in itertools.product(sweep.ranges, sweep.costs, sweep.windows, switch_sets):
-        if (cost == "census" and {"xsobel", "texture"} & set(switches)) or (
-            "texture" in switches and "xsobel" not in switches
-        ):
+        if not _is_possible(cost, switches):
             refused += 1
             continue
-        options = {}
+        options: dict[str, object] = {}
         for name in (COSTS[cost], *(SWITCHES[switch] for switch in switches)):
             options |= family.options_of(name)
         options |= {"window_px": window, "disparities": disparities}
-        found.append(
-            Choice(
-                window,
-                cost,
-                disparities,
-                switches,
-                tuple(f"{key}={json.dumps(value).strip(chr(34))}" for key, value in options.items()),
-            )
-        )
+        settings = tuple(f"{key}={json.dumps(value).strip(chr(34))}" for key, value in options.items())
+        found.append(Choice(window, cost, disparities, switches, settings))
     return found, refused
 
 
-def generated_scenes(number, disparities, folder):
+def _is_possible(cost: str, switches: tuple[str, ...]) -> bool:
+    """Census takes no x-Sobel, and the texture check needs it."""
+    if cost == "census":
+        return not {"xsobel", "texture"} & set(switches)
+    return "texture" not in switches or "xsobel" in switches
+
+
+def generated_scenes(number: int, disparities: int, folder: Path) -> list[Pair]:
     """Pairs with truth of both images; `disparities`: the largest range that is explored."""
-    return [
-        Pair(f"scene {seed}", *evaluation.scene(seed, disparities, folder / f"scene{seed}").values())
-        for seed in range(1, number + 1)
-    ]
+    pairs = []
+    for seed in range(1, number + 1):
+        made = evaluation.scene(seed, disparities, folder / f"scene{seed}")
+        truths = made["--truth-left"], made["--truth-right"]
+        pairs.append(Pair(f"scene {seed}", made["--left"], made["--right"], *truths))
+    return pairs
 
 
-def words(pair, choice):
+def words(pair: Pair, choice: Choice) -> list[Word]:
     """What `stereo_hls evaluate` takes."""
-    return [
-        *pair.words(),
-        "--config",
-        hardware_cost.BASE,
-        *itertools.chain(*(("--set", setting) for setting in choice.settings)),
-    ]
+    settings = [word for setting in choice.settings for word in ("--set", setting)]
+    return [*pair.words(), "--config", hardware_cost.BASE, *settings]
 
 
-def command(pair, choice):
+def command(pair: Pair, choice: Choice) -> str:
     return shlex.join(str(word) for word in (PROGRAM, "evaluate", *words(pair, choice)))
 
 
-def evaluate(pairs, all_choices, jobs):
+def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int) -> list[list[Method]]:
     """[[method of each pair] of each choice]. Every evaluation is a process of its own, `jobs` at a time."""
-    results = [[None] * len(pairs) for _ in all_choices]
-    with (
-        Progress(
-            TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn()
-        ) as bar,
-        ThreadPoolExecutor(jobs) as pool,
-    ):
+    results: dict[tuple[int, int], Method] = {}
+    columns = (TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns) as bar, ThreadPoolExecutor(jobs) as pool:
         task = bar.add_task("", total=len(all_choices) * len(pairs))
         futures = {
             pool.submit(evaluation.evaluate, *words(pair, choice)): (i, j)
@@ -138,21 +143,32 @@ def evaluate(pairs, all_choices, jobs):
         }
         try:
             for future in as_completed(futures):
-                i, j = futures[future]
-                results[i][j] = future.result()[0]
+                results[futures[future]] = future.result()[0]
                 bar.advance(task)
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
-    return results
+    return [[results[i, j] for j in range(len(pairs))] for i in range(len(all_choices))]
 
 
-def _mean(values):
-    values = list(values)
-    return sum(values) / len(values) if values else None
+def _mean(values: Iterable[float | None], scale: float = 1) -> float | None:
+    """None where a value is not known."""
+    known = list(values)
+    total = 0.0
+    for value in known:
+        if value is None:
+            return None
+        total += value
+    return scale * (total / len(known)) if known else None
 
 
-def rows(pairs, all_choices, methods, family, mask):
+def rows(
+    pairs: Sequence[Pair],
+    all_choices: Sequence[Choice],
+    methods: Sequence[Sequence[Method]],
+    family: hardware_cost.Family,
+    mask: str,
+) -> list[Row]:
     """One row of numbers for each choice: quality as the mean over the pairs, and cost."""
     table = []
     for choice, of_pairs in zip(all_choices, methods):
@@ -160,7 +176,7 @@ def rows(pairs, all_choices, methods, family, mask):
         if len(masks) != len(pairs):
             raise FlowError(f"a pair has no pixels in the region '{mask}'; non_occluded needs the truth of both images")
         cost = family.cost(of_pairs[0]["parameters"])
-        row = {
+        row: Row = {
             "title": choice.title,
             "window": choice.window,
             "cost": choice.cost,
@@ -173,9 +189,9 @@ def rows(pairs, all_choices, methods, family, mask):
         }
         for name in evaluation.MEASURES:
             for way in ("invalid_bad", "valid_only"):
-                row[f"{name}_{way}_percent"] = 100 * _mean(m[name][way] for m in masks)
+                row[f"{name}_{way}_percent"] = _mean((m[name][way] for m in masks), 100)
         row |= {
-            "density_percent": 100 * _mean(m["density"] for m in masks),
+            "density_percent": _mean((m["density"] for m in masks), 100),
             "rms_px": _mean(m["rms_px"] for m in masks),
             "milliseconds": _mean(method["milliseconds"] for method in of_pairs),
             "commands": [command(pair, choice) for pair in pairs],
@@ -184,39 +200,45 @@ def rows(pairs, all_choices, methods, family, mask):
     return table
 
 
-def mark_front(table, key):
-    """Sets `front` of the rows that no other row of the same range beats in both LUTs and `key`. Rows without LUTs are never on it."""
+def mark_front(table: list[Row], key: str) -> None:
+    """Sets `front` of the rows that no other row of the same range beats in both LUTs and `key`. Rows without either
+    are never on it."""
+    for row in table:
+        row["front"] = False
     for disparities in {row["disparities"] for row in table}:
-        members = [row for row in table if row["disparities"] == disparities]
+        known = [
+            row
+            for row in table
+            if row["disparities"] == disparities and row["luts"] is not None and row[key] is not None
+        ]
         best = float("inf")
-        for row in sorted(
-            members, key=lambda row: (row["luts"] if row["luts"] is not None else float("inf"), row[key])
-        ):
-            row["front"] = row["luts"] is not None and row[key] < best
-            best = row[key] if row["front"] else best
+        for row in sorted(known, key=lambda row: (row["luts"], row[key])):
+            if row[key] < best:
+                row["front"], best = True, row[key]
 
 
-def front(table, disparities):
-    return sorted(
-        (row for row in table if row["front"] and row["disparities"] == disparities), key=lambda row: row["luts"]
-    )
+def front(table: list[Row], disparities: int) -> list[Row]:
+    """From the cheapest to the best."""
+    members = [row for row in table if row["front"] and row["disparities"] == disparities]
+    return sorted(members, key=lambda row: row["luts"])
 
 
-def write(out, content, table, picture):
+def write(out: Path, content: Mapping[str, object], table: list[Row], picture: bytes) -> None:
     """explore.json, explore.csv, front.png: after everything else has succeeded."""
     text = io.StringIO()
     names = [name for name in table[0] if name != "commands"]
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([*names, "command"])
     for row in table:
-        values = [" ".join(row[name]) if isinstance(row[name], list) else row[name] for name in names]
-        writer.writerow(
-            ["" if value is None else f"{value:.6g}" if isinstance(value, float) else value for value in values]
-            + [" && ".join(row["commands"])]
-        )
-    for name, data in (
-        ("explore.json", json.dumps(content, indent=1) + "\n"),
-        ("explore.csv", text.getvalue()),
-        ("front.png", picture),
-    ):
-        files.write(out / name, data)
+        writer.writerow([*(_csv_cell(row[name]) for name in names), " && ".join(row["commands"])])
+    files.write(out / "explore.json", json.dumps(content, indent=1) + "\n")
+    files.write(out / "explore.csv", text.getvalue())
+    files.write(out / "front.png", picture)
+
+
+def _csv_cell(value: object) -> object:
+    if isinstance(value, list):
+        return " ".join(value)
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else value

@@ -11,32 +11,32 @@ from markupsafe import Markup, escape
 TEMPLATES = Path(__file__).with_name("templates")
 
 
-def number(value, digits=0):
+def number(value: float | None, digits: int = 0) -> str:
     """12345 as 12,345; nothing as a dash."""
     return "–" if value is None else f"{value:,.{digits}f}"
 
 
-def percent(part, whole):
+def percent(part: float, whole: float) -> float:
     return 100 * part / max(whole, 1)
 
 
-def png_uri(png):
+def png_uri(png: bytes) -> str:
     return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
-def cell(text):
+def cell(text: str) -> Markup:
     """A table's cell as the pages in docs/ write it: `code` in back quotes, - for a number that is not known."""
     if text == "-":
         return Markup("–")
     return Markup(re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(text))))
 
 
-def is_number(text):
+def is_number(text: str) -> bool:
     """Whether a cell belongs to a column of numbers."""
     return re.fullmatch(r"[-–]|[-+]?[\d,]+(\.\d+)?", text) is not None
 
 
-def render(template, **values):
+def render(template: str, **values: object) -> str:
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
         autoescape=True,

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ways in which a stream can break. Each takes the correct beats of a frame and gives those that are sent instead; a correct
-frame comes after them."""
+"""Ways in which a stream can break. Each takes the correct beats of a frame and gives those that are sent instead; a
+correct frame comes after them."""
 
-from .contract import LAST, START
+from collections.abc import Callable
+from random import Random
+
+from .contract import LAST, START, Beat
+from .pool import Frame, Geometry
+
+Change = Callable[[int], int]  # of flags
 
 
-def beats_of(frame, geometry):
+def beats_of(frame: Frame, geometry: Geometry) -> list[Beat]:
     """A frame as correct beats."""
     columns = geometry.columns
     return [
@@ -14,33 +20,33 @@ def beats_of(frame, geometry):
     ]
 
 
-def _with(beats, changes):
-    """Beats with the flags of some places changed: {place: function of the flags}."""
+def _with(beats: list[Beat], changes: dict[int, Change]) -> list[Beat]:
+    """Beats with the flags of some places changed."""
     return [(data, changes[i](flags) if i in changes else flags) for i, (data, flags) in enumerate(beats)]
 
 
-def _set(flag):
+def _set(flag: int) -> Change:
     return lambda flags: flags | flag
 
 
-def _clear(flag):
+def _clear(flag: int) -> Change:
     return lambda flags: flags & ~flag
 
 
-def _somewhere(rng, g):
+def _somewhere(rng: Random, g: Geometry) -> int:
     """A place that is neither at an end of its line nor in the first line."""
     return rng.randrange(1, g.row_groups) * g.columns + rng.randrange(1, g.columns - 1)
 
 
-def _plain(beats):
+def _plain(beats: list[Beat]) -> list[Beat]:
     return [(data, flags & ~START) for data, flags in beats]
 
 
-def _all_flags_random(beats, rng, g):
+def _all_flags_random(beats: list[Beat], rng: Random, g: Geometry) -> list[Beat]:
     return [(data, rng.choice((0, 0, 0, 0, START, LAST, LAST, START | LAST))) for data, _ in beats[: g.columns]]
 
 
-CASES = {
+CASES: dict[str, Callable[[list[Beat], Random, Geometry], list[Beat]]] = {
     "early end of line with the first beat": lambda b, rng, g: _with(b, {0: _set(LAST)}),
     "early end of line within the first line": lambda b, rng, g: _with(
         b, {rng.randrange(1, g.columns - 1): _set(LAST)}

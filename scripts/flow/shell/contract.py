@@ -5,33 +5,38 @@ Beats of s_axis: (data, flags), flags: bit 0 start of frame, bit 1 end of line.
 Beats of m_axis: (data, flags), flags: bit 0 start of frame, bit 1 frame error, bit 2 end of line.
 """
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+
+from .pool import Frame, Geometry
+
+Beat = tuple[int, int]  # (data, flags)
 
 START, LAST = 1, 2
 RESULT_START, RESULT_ERROR, RESULT_LAST = 1, 2, 4
-
-ERRORS = ("early_line_end", "late_line_end", "early_start", "outside_frame")
 
 
 @dataclass
 class Incoming:
     """A frame as the stream brought it."""
 
-    groups: list = field(default_factory=list)
+    groups: list[int] = field(default_factory=list)
     whole: bool = False
     broken: bool = False
 
 
 @dataclass
 class Expectation:
-    frames: list  # Incoming; the last one may be neither whole nor broken: the stream ends in it
-    errors: set
+    frames: list[Incoming]  # the last one may be neither whole nor broken: the stream ends in it
+    errors: set[str]
 
 
-def expect(beats, geometry):
+def expect(beats: Iterable[Beat], geometry: Geometry) -> Expectation:
     """What must become of a stream, from the definition of its framing."""
-    frames, errors = [], set()
-    current, lost = None, False
+    frames: list[Incoming] = []
+    errors: set[str] = set()
+    current: Incoming | None = None
+    lost = False
     for data, flags in beats:
         if flags & START:
             if current is not None:
@@ -57,18 +62,18 @@ def expect(beats, geometry):
 class Judge:
     """Compares the beats of m_axis with the expectation; collects sentences about what is wrong."""
 
-    def __init__(self, geometry, pool):
+    def __init__(self, geometry: Geometry, pool: Sequence[Frame]) -> None:
         self.geometry = geometry
         self.by_groups = {frame.groups: frame for frame in pool}
         self.pool = pool
         self.exact_frames = 0
         self.broken_frames = 0
         self.compared = 0
-        self.problems = []
+        self.problems: list[str] = []
 
-    def judge(self, beats, results, complete=True):
-        """`beats` were taken from s_axis since a reset, `results` given on m_axis. `complete`: the simulation waited until
-        nothing more came; otherwise (a reset) the results may end anywhere."""
+    def judge(self, beats: Iterable[Beat], results: Sequence[Beat], complete: bool = True) -> Expectation:
+        """`beats` were taken from s_axis since a reset, `results` given on m_axis. `complete`: the simulation waited
+        until nothing more came; otherwise (a reset) the results may end anywhere."""
         expectation = expect(beats, self.geometry)
         size = self.geometry.results
         frames = [frame for frame in expectation.frames if frame.whole or frame.broken or not complete]
@@ -83,28 +88,30 @@ class Judge:
         return expectation
 
     @staticmethod
-    def _ends_in_open_frame(expectation):
+    def _ends_in_open_frame(expectation: Expectation) -> bool:
         # Flush groups only follow a frame's end: what stands before an open frame leaves with that frame's pixels.
         return bool(expectation.frames) and not (expectation.frames[-1].whole or expectation.frames[-1].broken)
 
-    def _problem(self, sentence):
+    def _problem(self, sentence: str) -> None:
         self.problems.append(sentence)
 
-    def _judge_frame(self, number, frame, part):
+    def _judge_frame(self, number: int, frame: Incoming, part: Sequence[Beat]) -> None:
         source = self._source(frame)
         if source is None:
             self._problem(f"frame {number}: no frame of the pool begins so; the test is wrong")
             return
         same = self._same_groups(frame, source)
-        for place, (data, flags) in enumerate(part):
-            self._judge_beat(f"frame {number}, beat {place}", frame, source, same, place, data, flags)
+        for place, beat in enumerate(part):
+            self._judge_beat(f"frame {number}, beat {place}", frame, source, same, place, beat)
         if len(part) == self.geometry.results:
             self.exact_frames += frame.whole
             self.broken_frames += frame.broken
             if frame.broken and not part[-1][1] & RESULT_ERROR:
                 self._problem(f"frame {number} is broken, but its last beat does not say so")
 
-    def _judge_beat(self, where, frame, source, same, place, data, flags):
+    def _judge_beat(self, where: str, frame: Incoming, source: Frame, same: int, place: int, beat: Beat) -> None:
+        """`same`: how many groups are those of the source."""
+        data, flags = beat
         columns = self.geometry.result_columns
         framing = (RESULT_START if place == 0 else 0) | (RESULT_LAST if place % columns == columns - 1 else 0)
         if flags & ~RESULT_ERROR != framing:
@@ -118,7 +125,7 @@ class Judge:
             if data != source.results[place]:
                 self._problem(f"{where}: expected {source.results[place]:x}, got {data:x}")
 
-    def _source(self, frame):
+    def _source(self, frame: Incoming) -> Frame | None:
         """The frame of the pool that was sent."""
         found = self.by_groups.get(tuple(frame.groups))
         if found is not None:
@@ -129,7 +136,7 @@ class Judge:
         return self.pool[max(candidates)[1]]
 
     @staticmethod
-    def _same_groups(frame, source):
+    def _same_groups(frame: Incoming, source: Frame) -> int:
         for count, (a, b) in enumerate(zip(frame.groups, source.groups)):
             if a != b:
                 return count

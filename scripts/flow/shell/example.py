@@ -4,12 +4,12 @@
 import json
 import shutil
 from pathlib import Path
+from typing import TypedDict
 
+from ..base import ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, find_tool, run
-from ..cosim.simulators import to_verilog
+from ..base.tools import ROOT, Say, find_tool, find_yosys, run
 from ..implementation import nextpnr
-from ..implementation.yosys import find_yosys
 from . import design
 
 FOLDER = ROOT / "examples" / "ecp5"
@@ -19,47 +19,37 @@ DEVICE_OPTIONS = ["--85k", "--package", "CABGA381", "--speed", "6"]  # the ULX3S
 CLOCK_MHZ = 25
 
 
-def find_ecppack(router):
+class Example(TypedDict):
+    """What was made."""
+
+    luts: int
+    flip_flops: int
+    fmax_mhz: float
+    bit_stream: Path
+
+
+def find_ecppack(router: str) -> str:
     """ecppack beside the router, as PyPI installs it, or in PATH."""
     beside = Path(router).with_name(Path(router).name.replace("nextpnr-ecp5", "ecppack"))
     return str(beside) if beside.is_file() else find_tool("ecppack", "ECPPACK", "on Debian: apt-get install prjtrellis")
 
 
-def build(work, seed=1, say=print):
-    """Makes example.bit in the folder `work`. Returns {luts, flip_flops, fmax_mhz, bit_stream}."""
-    work = Path(work)
+def build(work: Path, seed: int = 1, say: Say = print) -> Example:
+    """Makes example.bit in the folder `work`."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     router = nextpnr.find_nextpnr(say)
     say("ghdl --synth ...")
     files = design.vhdl_files(CONFIG) + [FOLDER / f"{name}.vhd" for name in SOURCES]
-    (work / "example_top.v").write_text(to_verilog(files, work, "example_top"))
+    (work / "example_top.v").write_text(ghdl.to_verilog(files, work, "example_top"))
     say("yosys ...")
-    run(
-        [find_yosys(), "-p", "read_verilog example_top.v; synth_ecp5 -abc9 -top example_top -json netlist.json"],
-        cwd=work,
-        log=work / "yosys.log",
-    )
+    script = "read_verilog example_top.v; synth_ecp5 -abc9 -top example_top -json netlist.json"
+    run([find_yosys(), "-p", script], cwd=work, log=work / "yosys.log")
     say("nextpnr ...")
     shutil.copy(FOLDER / "ulx3s.lpf", work)
-    run(
-        [
-            router,
-            *DEVICE_OPTIONS,
-            "--json",
-            "netlist.json",
-            "--lpf",
-            "ulx3s.lpf",
-            "--seed",
-            seed,
-            "--report",
-            "report.json",
-            "--textcfg",
-            "example.config",
-        ],
-        cwd=work,
-        log=work / "nextpnr.log",
-    )
+    files_in = ["--json", "netlist.json", "--lpf", "ulx3s.lpf"]
+    files_out = ["--report", "report.json", "--textcfg", "example.config"]
+    run([router, *DEVICE_OPTIONS, *files_in, "--seed", seed, *files_out], cwd=work, log=work / "nextpnr.log")
     run([find_ecppack(router), "example.config", "example.bit"], cwd=work, log=work / "ecppack.log")
     try:
         report = json.loads((work / "report.json").read_text())

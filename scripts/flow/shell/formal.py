@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Proofs about the memory cell and the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys, and the model checker of
-yosys-abc (property directed reachability), which finds the invariants by itself."""
+"""Proofs about the memory cell and the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys,
+and the model checker of yosys-abc (property directed reachability), which finds the invariants by itself."""
 
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from ..base import ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, find_tool, run
-from ..cosim.simulators import to_verilog
-from ..implementation.yosys import find_yosys
+from ..base.tools import ROOT, find_tool, find_yosys, run
 from .design import RTL
 
 HARNESSES = ROOT / "hls_tb" / "formal"
@@ -18,10 +17,10 @@ HARNESSES = ROOT / "hls_tb" / "formal"
 @dataclass(frozen=True)
 class Proof:
     block: str
-    generics: dict = field(default_factory=dict)
+    generics: dict[str, int] = field(default_factory=dict)
 
     @property
-    def name(self):
+    def name(self) -> str:
         return " ".join([self.block, *(f"{name}={value}" for name, value in self.generics.items())])
 
 
@@ -40,19 +39,19 @@ PROOFS = (
 )
 
 
-def find_abc():
+def find_abc() -> str:
     return find_tool("yosys-abc", "YOSYS_ABC", "on Debian: apt-get install yosys")
 
 
-def prove(proof, work, rtl=RTL):
+def prove(proof: Proof, work: Path, rtl: Path = RTL) -> tuple[str, str]:
     """("proved", "") or ("refuted", in which clock). The block is taken from the folder `rtl`."""
-    work, top = Path(work), f"prove_{proof.block}"
+    top = f"prove_{proof.block}"
     work.mkdir(parents=True, exist_ok=True)
-    files = [Path(rtl) / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
-    (work / "design.v").write_text(to_verilog(files, work, top, proof.generics))
+    files = [rtl / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
+    (work / "design.v").write_text(ghdl.to_verilog(files, work, top, proof.generics))
     script = (
-        f"read_verilog design.v; prep -flatten -top {top}; memory_map; setundef -undriven -zero; opt -full; techmap; opt; "
-        "dffunmap; simplemap; aigmap; opt_clean; write_aiger -zinit design.aig"
+        f"read_verilog design.v; prep -flatten -top {top}; memory_map; setundef -undriven -zero; opt -full; "
+        "techmap; opt; dffunmap; simplemap; aigmap; opt_clean; write_aiger -zinit design.aig"
     )
     run([find_yosys(), "-p", script], cwd=work, log=work / "yosys.log")
     run([find_abc(), "-c", "read_aiger design.aig; strash; pdr"], cwd=work, log=work / "abc.log")

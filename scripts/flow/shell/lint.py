@@ -1,35 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the hand-written VHDL: GHDL's warnings, what only shows in the synthesised netlist, and the layout of the text."""
+"""Checks of the hand-written VHDL: GHDL's warnings, what only shows in the synthesised netlist, and the layout of the
+text."""
 
+import contextlib
 import re
 import shutil
+from collections.abc import Iterable
 from pathlib import Path
 
+from ..base import ghdl
 from ..base.errors import FlowError
-from ..base.tools import GENERATED_RTL, find_ghdl, find_verilator, run
-from ..cosim.simulators import GHDL_STANDARD, to_verilog
-from ..implementation.yosys import find_yosys
+from ..base.tools import GENERATED_RTL, Say, find_ghdl, find_verilator, find_yosys, run
 from ..synthesis import manifest
 from . import design, example
 
 GHDL_WARNINGS = (
-    "binding",
-    "reserved",
-    "nested-comment",
-    "parenthesis",
-    "delayed-checks",
-    "body",
-    "specs",
-    "universal",
-    "port",
-    "runtime-error",
-    "shared",
-    "hide",
-    "unused",
-    "others",
-    "pure",
-    "static",
-    "error",
+    *("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port"),
+    *("runtime-error", "shared", "hide", "unused", "others", "pure", "static", "error"),
 )
 NETLIST_WARNINGS = ("LATCH", "MULTIDRIVEN", "SELRANGE", "UNDRIVEN", "IMPLICIT", "PINMISSING")
 LONGEST_LINE = 128
@@ -37,9 +24,9 @@ LONGEST_FILE = 400
 FIRST_LINE = "-- SPDX-License-Identifier: Apache-2.0"
 
 
-def layout(path):
+def layout(path: Path) -> list[str]:
     """Sentences about the text of one file."""
-    lines = Path(path).read_text().splitlines()
+    lines = path.read_text().splitlines()
     found = [] if lines and lines[0] == FIRST_LINE else [f"line 1 is not '{FIRST_LINE}'"]
     if len(lines) > LONGEST_FILE:
         found.append(f"{len(lines)} lines, at most {LONGEST_FILE}")
@@ -56,43 +43,31 @@ def layout(path):
             )
             if wrong
         ]
-    return [f"{Path(path).name}: {sentence}" for sentence in found]
+    return [f"{path.name}: {sentence}" for sentence in found]
 
 
-def analysis(files, work):
+def analysis(files: Iterable[Path], work: Path) -> list[str]:
     """GHDL's warnings about the files, each after those it needs."""
-    log = Path(work) / "analyse.log"
-    command = [find_ghdl(), "-a", GHDL_STANDARD, *(f"--warn-{name}" for name in GHDL_WARNINGS), *files]
-    try:
-        run(command, cwd=work, log=log)
-    except FlowError:
-        pass  # its sentences are in the log, too
+    log = work / "analyse.log"
+    warnings = [f"--warn-{name}" for name in GHDL_WARNINGS]
+    with contextlib.suppress(FlowError):  # its sentences are in the log, too
+        run([find_ghdl(), "-a", ghdl.STANDARD, *warnings, *files], cwd=work, log=log)
     return [line for line in log.read_text().splitlines() if re.search(r":\d+:\d+:", line)]
 
 
-def netlist(files, generics, work):
+def netlist(files: Iterable[Path], generics: ghdl.Generics, work: Path) -> list[str]:
     """What shows in the synthesised design only: names that Verilog reserves and two drivers of one signal (Verilator),
     latches and loops (yosys)."""
-    verilog, log = Path(work) / "stereo_ip.v", Path(work) / "verilator.log"
-    text = to_verilog(files, work, "stereo_ip", generics)
+    verilog, log = work / "stereo_ip.v", work / "verilator.log"
+    text = ghdl.to_verilog(files, work, "stereo_ip", generics)
     verilog.write_text(text)
     # What GHDL writes for a signal that keeps its value outside a clocked process, or has none.
     found = [
         f"latch, or no value: {name}"
         for name in re.findall(r"^ *assign (\S+) = \d+'b[xX]+; // \(signal\)$", text, re.MULTILINE)
     ]
-    run(
-        [
-            find_verilator(),
-            "--lint-only",
-            "-Wno-fatal",
-            *(f"-Wwarn-{name}" for name in NETLIST_WARNINGS),
-            "--top-module",
-            "stereo_ip",
-            verilog,
-        ],
-        log=log,
-    )
+    warnings = [f"-Wwarn-{name}" for name in NETLIST_WARNINGS]
+    run([find_verilator(), "--lint-only", "-Wno-fatal", *warnings, "--top-module", "stereo_ip", verilog], log=log)
     found += [
         line
         for line in log.read_text().splitlines()
@@ -109,10 +84,9 @@ def netlist(files, generics, work):
     ]
 
 
-def check(config, generics, work, shell=None, say=print):
-    """All checks of the shell around one configuration's core and of the example, in a folder of their own. Returns the number
-    of findings."""
-    work = Path(work)
+def check(config: str, generics: ghdl.Generics, work: Path, shell: Path | None = None, say: Say = print) -> int:
+    """All checks of the shell around one configuration's core and of the example, in a folder of their own. Returns the
+    number of findings."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     memory, written = design.RTL / "line_memory.vhd", design.shell_files(shell)
@@ -120,7 +94,7 @@ def check(config, generics, work, shell=None, say=print):
     examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
     found = [sentence for path in (memory, *written, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
-    run([find_ghdl(), "-a", GHDL_STANDARD, *core], cwd=work, log=work / "core.log")
+    ghdl.analyse(core, work, "core.log")
     found += analysis([*written, *examples], work)
     if not found:
         found += netlist([memory, *core, *written], generics, work)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The registers of stereo_ip. One description, hls/rtl/registers.json, becomes the VHDL package of their addresses and the
-table in docs/integration.md."""
+"""The registers of stereo_ip. One description, hls/rtl/registers.json, becomes the VHDL package of their addresses and
+the table in docs/integration.md."""
 
 import json
+from pathlib import Path
+from typing import Any, NotRequired, TypedDict
 
 from ..base.errors import FlowError
 from ..base.tools import ROOT
@@ -15,28 +17,45 @@ ID = 0x53544552  # "STER"
 VERSION = (1, 0, 0)
 
 
-def description():
-    """[{name, offset, access, text or fields: [{name, low, high, text}]}] in the order of their addresses."""
-    return json.loads(DESCRIPTION.read_text())["registers"]
+class Field(TypedDict):
+    name: str
+    low: int
+    high: int
+    text: str
 
 
-def by_name():
+class Register(TypedDict):
+    name: str
+    offset: int
+    access: str
+    text: NotRequired[str]  # of one without fields
+    fields: NotRequired[list[Field]]
+
+
+def description() -> list[Register]:
+    """In the order of their addresses."""
+    registers: list[Register] = json.loads(DESCRIPTION.read_text())["registers"]
+    return registers
+
+
+def by_name() -> dict[str, dict[str, Any]]:
     """{register: the same with its fields as {name: field}}"""
     return {
-        entry["name"]: entry | {"fields": {field["name"]: field for field in entry.get("fields", [])}}
+        entry["name"]: {**entry, "fields": {field["name"]: field for field in entry.get("fields", [])}}
         for entry in description()
     }
 
 
-def address_bits():
+def address_bits() -> int:
     return max(register["offset"] for register in description()).bit_length()
 
 
-def vhdl_package():
+def vhdl_package() -> str:
     major, minor, patch = VERSION
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
-        "-- Addresses, in words of 4 bytes, and fields of the registers of stereo_ip: of a field of one bit its place, of a wider",
+        "-- Addresses, in words of 4 bytes, and fields of the registers of stereo_ip: of a field of one bit its place, "
+        "of a wider",
         "-- one its width. Made by scripts/registers.py from hls/rtl/registers.json; do not edit.",
         "library ieee;",
         "use ieee.std_logic_1164.all;",
@@ -50,21 +69,21 @@ def vhdl_package():
         name = register["name"]
         lines.append(f"  constant {name}_word : natural := {register['offset'] // 4};")
         for field in register.get("fields", []):
-            if field["high"] == field["low"]:
+            bits = field["high"] - field["low"] + 1
+            if bits == 1:
                 lines.append(f"  constant {name}_{field['name']} : natural := {field['low']};")
             else:
-                lines.append(
-                    f"  constant {name}_{field['name']}_bits : positive := {field['high'] - field['low'] + 1};"
-                )
+                lines.append(f"  constant {name}_{field['name']}_bits : positive := {bits};")
     return "\n".join([*lines, "end package;", ""])
 
 
-def table():
+def table() -> str:
     rows = ["| address | register | bits | field | access | meaning |", "|---|---|---|---|---|---|"]
     for register in description():
         head = f"| `0x{register['offset']:02X}` | `{register['name']}` "
         access = register["access"]
-        for field in register.get("fields", [{"name": "", "high": 31, "low": 0, "text": register.get("text")}]):
+        whole: Field = {"name": "", "high": 31, "low": 0, "text": register.get("text", "")}
+        for field in register.get("fields", [whole]):
             bits = str(field["low"]) if field["high"] == field["low"] else f"{field['high']} ... {field['low']}"
             name = f"`{field['name']}`" if field["name"] else ""
             rows.append(f"{head}| {bits} | {name} | {access} | {field['text']} |")
@@ -72,7 +91,7 @@ def table():
     return "\n".join(rows)
 
 
-def document_with_table(text):
+def document_with_table(text: str) -> str:
     """The page with the table between its two marks made anew."""
     before, begin, rest = text.partition(TABLE_BEGIN)
     _, end, after = rest.partition(TABLE_END)
@@ -81,7 +100,7 @@ def document_with_table(text):
     return f"{before}{begin}\n{table()}\n{end}{after}"
 
 
-def made_files():
+def made_files() -> dict[Path, str]:
     """{path: text that belongs there}"""
     files = {PACKAGE: vhdl_package()}
     if DOCUMENT.is_file():

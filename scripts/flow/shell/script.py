@@ -8,19 +8,32 @@
 ("drain",)                wait until nothing has come out for a while
 """
 
+from collections.abc import Iterable, Sequence
+from random import Random
+from typing import Literal
+
 from .broken import CASES, beats_of
-from .contract import START
+from .contract import Beat
+from .pool import Frame, Geometry
+
+Step = (
+    tuple[Literal["beat"], int, int]
+    | tuple[Literal["idle"], int]
+    | tuple[Literal["rates"], int, int]
+    | tuple[Literal["reset"], int]
+    | tuple[Literal["drain"]]
+)
 
 RATES = ((0, 0), (0, 0), (50, 0), (0, 50), (30, 30), (80, 20), (20, 80), (5, 0), (0, 5), (90, 0), (0, 90))
 
 
-def send(beats):
+def send(beats: Iterable[Beat]) -> list[Step]:
     return [("beat", data, flags) for data, flags in beats]
 
 
-def frames(rng, pool, geometry, count, back_to_back=0.5):
+def frames(rng: Random, pool: Sequence[Frame], geometry: Geometry, count: int, back_to_back: float = 0.5) -> list[Step]:
     """Correct frames with gaps of many lengths between some of them."""
-    steps = []
+    steps: list[Step] = []
     for _ in range(count):
         steps += send(beats_of(rng.choice(pool), geometry))
         if rng.random() >= back_to_back:
@@ -28,13 +41,14 @@ def frames(rng, pool, geometry, count, back_to_back=0.5):
     return steps
 
 
-def rates(rng):
+def rates(rng: Random) -> list[Step]:
     return [("rates", *rng.choice(RATES))]
 
 
-def broken(rng, pool, geometry, name, times=1):
-    """A broken stretch, then one or two correct frames, so that the broken ones come at odd and even places; `times` in all."""
-    steps = []
+def broken(rng: Random, pool: Sequence[Frame], geometry: Geometry, name: str, times: int = 1) -> list[Step]:
+    """A broken stretch, then one or two correct frames, so that the broken ones come at odd and even places; `times` in
+    all."""
+    steps: list[Step] = []
     for _ in range(times):
         steps += send(CASES[name](beats_of(rng.choice(pool), geometry), rng, geometry))
         if rng.random() < 0.3:
@@ -44,18 +58,17 @@ def broken(rng, pool, geometry, name, times=1):
     return steps
 
 
-def reset_within(rng, pool, geometry):
+def reset_within(rng: Random, pool: Sequence[Frame], geometry: Geometry) -> list[Step]:
     """A frame that a reset cuts off at a random clock, then correct frames of a source that starts anew."""
     beats = beats_of(rng.choice(pool), geometry)
-    return send(beats[: rng.randrange(1, len(beats))]) + [
-        ("idle", rng.randrange(1, 40)),
-        ("reset", rng.choice((1, 1, 2, 5))),
-    ]
+    sent = send(beats[: rng.randrange(1, len(beats))])
+    return [*sent, ("idle", rng.randrange(1, 40)), ("reset", rng.choice((1, 1, 2, 5)))]
 
 
-def mixture(rng, pool, geometry, count):
+def mixture(rng: Random, pool: Sequence[Frame], geometry: Geometry, count: int) -> list[Step]:
     """`count` correct frames at random rates with broken stretches and resets between them."""
-    steps, good = [], 0
+    steps: list[Step] = []
+    good = 0
     while good < count:
         steps += rates(rng)
         kind = rng.random()
@@ -71,28 +84,24 @@ def mixture(rng, pool, geometry, count):
     return steps
 
 
-def segments(steps):
+def segments(steps: Iterable[Step]) -> list[list[Beat]]:
     """The beats between resets, one list for each."""
-    parts = [[]]
+    parts: list[list[Beat]] = [[]]
     for step in steps:
         if step[0] == "beat":
-            parts[-1].append(step[1:])
+            parts[-1].append((step[1], step[2]))
         elif step[0] == "reset":
             parts.append([])
     return parts
 
 
-def starts(steps):
-    return sum(step[0] == "beat" and bool(step[2] & START) for step in steps)
-
-
-def as_text(steps, seed):
+def as_text(steps: Iterable[Step], seed: int) -> str:
     """The file for verilator_axi_bench.cpp: one step a line."""
     lines = [f"stereo-hls stream 1 seed={seed}"]
-    for kind, *values in steps:
-        lines.append(
-            f"b {values[0]:x} {values[1]}"
-            if kind == "beat"
-            else " ".join([kind[0] if kind != "rates" else "p", *map(str, values)])
-        )
+    for step in steps:
+        if step[0] == "beat":
+            lines.append(f"b {step[1]:x} {step[2]}")
+        else:
+            kind, *values = step
+            lines.append(" ".join(["p" if kind == "rates" else kind[0], *map(str, values)]))
     return "\n".join(lines) + "\n"

@@ -2,56 +2,57 @@
 """The instantiation of stereo_ip for one configuration, as VHDL text."""
 
 import re
+from typing import NamedTuple
 
-from ..base.tools import GENERATED_RTL, ROOT
-from ..synthesis import manifest
+from ..base.tools import ROOT
 from . import design, registers
 
 
-def ports():
-    """[(name, direction, type)] of stereo_ip, in order."""
+class Port(NamedTuple):
+    name: str
+    direction: str
+    kind: str
+
+
+def ports() -> list[Port]:
+    """Those of stereo_ip, in order."""
     text = (design.RTL / "stereo_ip.vhd").read_text()
     declaration = text[text.index("  port (") : text.index("end entity;")]
-    return re.findall(r"^    (\w+) : (in|out) (.*?);?(?:  --.*)?$", declaration, re.MULTILINE)
+    found = re.findall(r"^    (\w+) : (in|out) (.*?);?(?:  --.*)?$", declaration, re.MULTILINE)
+    return [Port(*port) for port in found]
 
 
-def widths(values):
-    """The types of the ports with numbers instead of generics."""
+def plain_ports(values: dict[str, int]) -> list[Port]:
+    """The ports with numbers instead of generics in their types."""
     numbers = {
         "16 * pixels_per_clock - 1": 16 * values["pixels_per_clock"] - 1,
         "address_bits - 1": registers.address_bits() - 1,
         "disparity_bits * pixels_per_clock + 7": values["disparity_bits"] * values["pixels_per_clock"] + 7,
     }
 
-    def plain(kind):
+    def plain(kind: str) -> str:
         for text, number in numbers.items():
             kind = kind.replace(text, str(number))
         return kind
 
-    return [(name, direction, plain(kind)) for name, direction, kind in ports()]
+    return [port._replace(kind=plain(port.kind)) for port in ports()]
 
 
-def entity(config, values):
+def entity(config: str, values: dict[str, int]) -> str:
     """A wrapper with plain ports and no generics: stereo_ip_CONFIG."""
     name = f"stereo_ip_{config}"
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
-        f"-- stereo_ip for configuration {config}, with plain ports. Made by scripts/instantiate.py --config {config}. Compile before it:",
-        *(
-            f"--   {path.relative_to(ROOT)}"
-            for path in [*manifest.vhdl_files(GENERATED_RTL / config), *design.shell_files()]
-        ),
+        f"-- stereo_ip for configuration {config}, with plain ports. "
+        f"Made by scripts/instantiate.py --config {config}. Compile before it:",
+        *(f"--   {path.relative_to(ROOT)}" for path in design.vhdl_files(config)),
         "library ieee;",
         "use ieee.std_logic_1164.all;",
         "",
         f"entity {name} is",
         "  port (",
     ]
-    plain = widths(values)
-    lines += [
-        f"    {port} : {direction} {kind}{';' if place < len(plain) - 1 else ''}"
-        for place, (port, direction, kind) in enumerate(plain)
-    ]
+    lines.append(";\n".join(f"    {port.name} : {port.direction} {port.kind}" for port in plain_ports(values)))
     lines += [
         "  );",
         "end entity;",
@@ -65,7 +66,7 @@ def entity(config, values):
     return "\n".join(lines)
 
 
-def instance(values, label):
-    generics = ",\n".join(f"      {name} => {values[name]}" for name in design.GENERICS)
-    connections = ",\n".join(f"      {name} => {name}" for name, _, _ in ports())
+def instance(values: dict[str, int], label: str) -> str:
+    generics = ",\n".join(f"      {name} => {value}" for name, value in values.items())
+    connections = ",\n".join(f"      {port.name} => {port.name}" for port in ports())
     return f"  {label} : entity work.stereo_ip\n    generic map (\n{generics})\n    port map (\n{connections});"

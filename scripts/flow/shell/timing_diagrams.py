@@ -1,89 +1,94 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Timing diagrams as SVG, drawn from what a simulation recorded: one value for each signal and clock."""
+"""The timing diagrams of docs/integration.md, from a simulation of stereo_ip, configuration tiny."""
 
-from xml.sax.saxutils import escape
+import json
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
 
-NAME_WIDTH, ROW_HEIGHT, WAVE_HEIGHT, SLANT = 130, 26, 16, 3
-DIGIT_WIDTH = 7.5
-STYLE = (
-    "text{font:11px monospace;fill:#222}.v{font-size:9px;text-anchor:middle}.c{font-size:9px;fill:#888;text-anchor:middle}"
-    "path{fill:none;stroke:#1f4e79;stroke-width:1.4}.g{stroke:#ddd;stroke-width:1}.x{fill:#e6e6e6;stroke:#bbb}.b{fill:#eaf2fa}"
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT
+from . import cocotb_runs, wave_svg
+
+IMAGES = ROOT / "docs" / "images"
+WORK = ROOT / "build" / "axi"
+LINES = (
+    "s_axis_tvalid",
+    "s_axis_tready",
+    "s_axis_tuser",
+    "s_axis_tlast",
+    "m_axis_tvalid",
+    "m_axis_tready",
+    "m_axis_tlast",
 )
+WORDS = {"s_axis_tdata": "s_axis_tvalid", "m_axis_tdata": "m_axis_tvalid", "m_axis_tuser": "m_axis_tvalid"}
+REGISTER_LINES = tuple(
+    f"s_axil_{channel}{end}" for channel in ("aw", "w", "b", "ar", "r") for end in ("valid", "ready")
+)
+REGISTER_WORDS = {
+    f"s_axil_{channel}{name}": f"s_axil_{channel}valid"
+    for channel, name in (("aw", "addr"), ("w", "data"), ("ar", "addr"), ("r", "data"))
+}
 
 
-def _bit(values, left, top, clock_width):
-    """A line that is high or low."""
-    parts, level = [], None
-    for clock, value in enumerate(values):
-        x, y = left + clock * clock_width, top + (0 if value == "1" else WAVE_HEIGHT)
-        if level is None:
-            parts.append(f"M{x} {y}")
-        elif y != level:
-            parts.append(f"L{x} {level}L{x + SLANT} {y}")
-        parts.append(f"L{x + clock_width} {y}")
-        level = y
-    return [f'<path d="{"".join(parts)}"/>']
+Recording = list[dict[str, str]]  # {signal: bits} of each clock
 
 
-def _runs(values):
-    start = 0
-    for clock in range(1, len(values) + 1):
-        if clock == len(values) or values[clock] != values[start]:
-            yield start, clock, values[start]
-            start = clock
+class Window(NamedTuple):
+    """What one picture shows."""
+
+    rows: Recording
+    first: int
+    last: int
+    lines: tuple[str, ...]  # signals of one bit
+    words: dict[str, str]  # {signal: the one whose '1' gives it a meaning}
 
 
-def _word(values, left, top, clock_width):
-    """Boxes with values; grey where nothing is meant (None)."""
-    parts = []
-    for start, end, value in _runs(values):
-        x, width, middle = left + start * clock_width, (end - start) * clock_width, top + WAVE_HEIGHT / 2
-        right, bottom = x + width, top + WAVE_HEIGHT
-        kind = "x" if value is None else "b"
-        parts.append(
-            f'<path class="{kind}" d="M{x} {middle}L{x + SLANT} {top}L{right - SLANT} {top}L{right} {middle}L{right - SLANT} {bottom}L{x + SLANT} {bottom}Z"/>'
-        )
-        if value is not None:
-            parts.append(f'<text class="v" x="{x + width / 2}" y="{middle + 3}">{escape(value)}</text>')
-    return parts
+def _first(rows: Recording, condition: Callable[[dict[str, str]], bool], start: int = 0) -> int:
+    return next(clock for clock in range(start, len(rows)) if condition(rows[clock]))
 
 
-def svg(signals, clocks):
-    """`signals`: [(name, values)], values "0" and "1" for a line, else {"word": [text or None, ...]}; `clocks`: their numbers."""
-    texts = [text for _, values in signals if isinstance(values, dict) for text in values["word"] if text]
-    clock_width = max(30, round(DIGIT_WIDTH * max(map(len, texts), default=0)))
-    width = NAME_WIDTH + len(clocks) * clock_width + 10
-    height = (len(signals) + 1) * ROW_HEIGHT + 10
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}">',
-        f'<style>{STYLE}</style><rect width="100%" height="100%" fill="#fff"/>',
-    ]
-    for place, clock in enumerate(clocks):
-        x = NAME_WIDTH + place * clock_width
-        parts.append(
-            f'<path class="g" d="M{x} 22L{x} {height - 6}"/><text class="c" x="{x + clock_width / 2}" y="16">{clock}</text>'
-        )
-    for row, (name, values) in enumerate(signals):
-        top = (row + 1) * ROW_HEIGHT + 2
-        parts.append(f'<text x="4" y="{top + WAVE_HEIGHT - 4}">{escape(name)}</text>')
-        parts += (
-            _word(values["word"], NAME_WIDTH, top, clock_width)
-            if isinstance(values, dict)
-            else _bit(values, NAME_WIDTH, top, clock_width)
-        )
-    return "\n".join([*parts, "</svg>", ""])
+def _starts(row: dict[str, str]) -> bool:
+    return row["s_axis_tvalid"] == "1" and row["s_axis_tuser"] == "1"
 
 
-def cut(rows, first, last, lines, words):
-    """The picture of some clocks of a recording. `lines`: names of single bits; `words`: {name: the signal whose '1' gives it a
-    meaning}. Names in the order of `lines` with each word behind its valid and ready."""
-    part = rows[first : last + 1]
-    signals = []
-    for name in lines:
-        signals.append((name, [row[name] for row in part]))
-    for name, meant in words.items():
-        digits = -(-len(part[0][name]) // 4)
-        values = [f"{int(row[name], 2):0{digits}x}" if row[meant] == "1" else None for row in part]
-        signals.append((name, {"word": values}))
-    signals.sort(key=lambda signal: [*part[0]].index(signal[0]))
-    return svg(signals, list(range(first, first + len(part))))
+def windows(recordings: dict[str, Recording]) -> dict[str, Window]:
+    """By the name of the picture."""
+    start, pressure, broken, access = (
+        recordings[name] for name in ("start_of_frame", "back_pressure", "broken_frame", "register_access")
+    )
+    begin = _first(start, _starts)
+    out = _first(pressure, lambda row: row["m_axis_tvalid"] == "1")
+    frame = _first(broken, _starts)
+    cut = _first(broken, _starts, frame + 2)
+    error = _first(broken, lambda row: row["m_axis_tvalid"] == "1" and row["m_axis_tuser"][0] == "1")
+    write = _first(access, lambda row: row["s_axil_awvalid"] == "1")
+    inputs = tuple(name for name in LINES if name.startswith("s_axis"))
+    input_words = {"s_axis_tdata": "s_axis_tvalid"}
+    return {
+        "axi_start_of_frame": Window(start, begin - 4, begin + 16, ("aresetn", *inputs), input_words),
+        "axi_back_pressure": Window(pressure, out - 3, out + 14, LINES, WORDS),
+        "axi_broken_frame": Window(broken, min(cut, error) - 4, min(cut, error) + 18, LINES, WORDS),
+        "axi_registers": Window(access, write - 1, write + 14, REGISTER_LINES, REGISTER_WORDS),
+    }
+
+
+def record(out: Path) -> dict[str, Recording]:
+    """What hls_tb/axi/diagrams.py writes down, by the name of its test."""
+    out.mkdir(parents=True, exist_ok=True)
+    os.environ["STEREO_AXI_DIAGRAMS"] = str(out)
+    simulation = cocotb_runs.Ghdl("tiny", WORK / "ghdl" / "tiny")
+    simulation.build()
+    results = simulation.run("diagrams", 1, out)
+    failed = [result for result in results if not result.passed]
+    if failed:
+        raise FlowError(f"the recording {failed[0].name} failed; see {failed[0].message}", EXIT_TOOL_FAILED)
+    return {result.name: json.loads((out / f"{result.name}.json").read_text()) for result in results}
+
+
+def made_files() -> dict[Path, str]:
+    """{path: text that belongs there}"""
+    return {
+        IMAGES / f"{name}.svg": wave_svg.cut(*window) for name, window in windows(record(WORK / "diagrams")).items()
+    }

@@ -2,13 +2,16 @@
 """stereo_ip in Verilator: for thousands of frames."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from ..base import ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, run_with_progress
 from ..cosim import simulators, vectors
-from . import design, script
+from . import design
+from .script import Step, as_text
 
 WATCHDOG_SECONDS = 300  # the bench says every 20,000 clocks that it goes on
 BENCH = ROOT / "hls_tb" / "axi" / "verilator_axi_bench.cpp"
@@ -18,8 +21,8 @@ BENCH = ROOT / "hls_tb" / "axi" / "verilator_axi_bench.cpp"
 class Observation:
     """What a bench wrote down: the beats of m_axis between resets, each (data, flags, clock)."""
 
-    segments: list = field(default_factory=list)
-    breaches: list = field(default_factory=list)
+    segments: list[list[tuple[int, int, int]]] = field(default_factory=list)
+    breaches: list[str] = field(default_factory=list)
     clocks: int = 0
     hangs: bool = False
 
@@ -27,33 +30,30 @@ class Observation:
 class Verilated:
     """One configuration, built once in its folder."""
 
-    def __init__(self, config, work, files=None):
+    def __init__(self, config: str, work: Path, files: list[Path] | None = None) -> None:
         self.files = files or design.vhdl_files(config)
         self.generics = design.generics(config)
-        self.work = Path(work)
+        self.work = work
 
-    def build(self):
-        simulators.build_once(
-            self.work, [*self.files, BENCH, Path(__file__), Path(simulators.__file__)], self.generics, self._build
-        )
+    def build(self) -> None:
+        makers = [Path(module) for module in (__file__, simulators.__file__, ghdl.__file__)]
+        simulators.build_once(self.work, [*self.files, BENCH, *makers], self.generics, self._build)
 
-    def _build(self):
+    def _build(self) -> None:
         simulators.verilate(self.work, self.files, "stereo_ip", [BENCH], self.generics)
 
-    def play(self, steps, seed, out):
-        """Plays the steps and returns the Observation."""
-        out = Path(out).resolve()
+    def play(self, steps: Iterable[Step], seed: int, out: Path) -> Observation:
+        out = out.resolve()
         out.mkdir(parents=True, exist_ok=True)
         stream, observed = out / "stream.txt", out / "observed.txt"
-        stream.write_text(script.as_text(steps, seed))
+        stream.write_text(as_text(steps, seed))
         observed.unlink(missing_ok=True)
-        run_with_progress(
-            [simulators.verilated_bench(self.work), stream, observed], lambda line: None, WATCHDOG_SECONDS, cwd=out
-        )
+        command = [simulators.verilated_bench(self.work), stream, observed]
+        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=out)
         return read_observation(observed)
 
 
-def read_observation(path):
+def read_observation(path: Path) -> Observation:
     """The file that verilator_axi_bench.cpp writes; its last line says how the simulation ended."""
     seen = Observation()
     lines = vectors.read_lines(path)

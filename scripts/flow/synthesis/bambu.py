@@ -94,7 +94,8 @@ def _last_number(pattern: str, text: str) -> str:
 
 
 def original_files(config: str) -> list[Path]:
-    """The VHDL and memory images of the last run, the tool's components included: for co-simulation only, not for the repo."""
+    """The VHDL and memory images of the last run, the tool's components included: for co-simulation only, not for the
+    repo."""
     directory = WORK / config
     components, memories = (directory / "bambu_lib" / "VHDL").glob("*.vhd"), directory.glob("*.mem")
     files = [directory / f"{TOP}.vhd", *sorted(components), *sorted(memories)]

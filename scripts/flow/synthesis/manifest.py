@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/NAME/manifest.json: what the committed VHDL was made from, so that anyone can tell whether it still fits."""
+"""generated_rtl/NAME/manifest.json: what the committed VHDL was made from, so that anyone can tell whether it still
+fits."""
 
 import hashlib
 import json
@@ -66,14 +67,14 @@ def _digests(paths: Iterable[Path]) -> Digests:
 
 
 def hardware_digests() -> Digests:
-    """The C++ of the core. The table of configurations is left out: a manifest holds the one row that counts, so that a new
-    configuration does not make the others stale."""
+    """The C++ of the core. The table of configurations is left out: a manifest holds the one row that counts, so that a
+    new configuration does not make the others stale."""
     return _digests(path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp")
 
 
 def source_digests() -> Digests:
-    """Every file that decides what the VHDL looks like: the core, its memory cell, the names of its registers and the steps
-    that write the VHDL."""
+    """Every file that decides what the VHDL looks like: the core, its memory cell, the names of its registers and the
+    steps that write the VHDL."""
     synthesis, names = ROOT / "scripts" / "flow" / "synthesis", ROOT / "hls_tb" / "vectors"
     return hardware_digests() | _digests(
         [
@@ -151,7 +152,8 @@ def vhdl_files(directory: Path) -> list[Path]:
 
 
 def stale_reasons(name: str, parameters: Parameters) -> list[str]:
-    """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is well."""
+    """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is
+    well."""
     manifest = read(GENERATED_RTL / name)
     reasons = []
     for file, expected in manifest["files"].items():

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pass that takes the controller away.
 
-The core is one loop in one state that runs forever, after start-up states that load the first values of the registers. So
-the controller is played through here: what the start-up states load becomes the registers' initial values, and the
+The core is one loop in one state that runs forever, after start-up states that load the first values of the registers.
+So the controller is played through here: what the start-up states load becomes the registers' initial values, and the
 registers' next values are those of the loop state, in which every control signal is a constant.
 """
 

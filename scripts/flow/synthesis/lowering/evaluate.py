@@ -37,7 +37,8 @@ def _text(node: Node, names: Mapping[int, str]) -> str:
     return _TEXT[node.op].format(*arguments, p=node.param)
 
 
-# (inputs, registers, memories) -> outputs. Updates registers and memories in place; the outputs are those before the edge.
+# (inputs, registers, memories) -> outputs. Updates registers and memories in place; the outputs are those before the
+# edge.
 Step = Callable[[Mapping[str, int], list[int], list[list[int]]], dict[str, int]]
 
 

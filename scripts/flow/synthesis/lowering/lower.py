@@ -137,8 +137,8 @@ class _Lowering:
         return Memory(instance.name, depth, width, data)
 
     def _connect_memory(self, memory: Memory, instance: Instance) -> None:
-        """The port that loads and the port that stores in the loop state; addresses count bytes from a base that is a multiple
-        of the memory's size, so the base falls away."""
+        """The port that loads and the port that stores in the loop state; addresses count bytes from a base that is a
+        multiple of the memory's size, so the base falls away."""
         byte_shift = (int(instance.generics["ALIGNMENT"]) // 8).bit_length() - 1
         loads = self._active_ports(instance, "sel_LOAD", "in4r")
         stores = self._active_ports(instance, "sel_STORE", "in4w")

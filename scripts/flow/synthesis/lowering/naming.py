@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gives the registers of the netlist the names they have in C++.
 
-The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register is
-recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls trace` traced the core. The
-same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
+The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register
+is recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls trace` traced the core.
+The same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
 """
 
 from pathlib import Path
@@ -59,7 +59,8 @@ def _names_by_values(trace: Trace) -> dict[Values, list[str]]:
 
 
 def adopt_cpp_values(netlist: Netlist, trace: Trace) -> None:
-    """Where the tool keeps the complement of a C++ bit, or a negative number as a large positive one, keeps what C++ has."""
+    """Where the tool keeps the complement of a C++ bit, or a negative number as a large positive one, keeps what C++
+    has."""
     known = _names_by_values(trace)
     replacement = {}
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):

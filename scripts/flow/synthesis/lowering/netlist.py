@@ -20,8 +20,8 @@ class Register:
 
 @dataclass(eq=False)
 class Memory:
-    """`depth` words of `width` bits, all 0 at start. One read and one write a clock, each from a register; the read data is
-    the leaf `data`, and a read sees what the word was before a write of the same clock."""
+    """`depth` words of `width` bits, all 0 at start. One read and one write a clock, each from a register; the read
+    data is the leaf `data`, and a read sees what the word was before a write of the same clock."""
 
     name: str
     depth: int

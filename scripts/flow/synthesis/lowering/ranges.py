@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Proves narrower ranges for registers than the tool declares.
 
-Each register starts with the range of its initial value; ranges grow until every register's next value fits its range. What
-is left is an inductive invariant: no register can ever leave its range. A register that keeps growing (a counter, whose
-bound comes from a comparison that ranges do not see) keeps its declared range.
+Each register starts with the range of its initial value; ranges grow until every register's next value fits its range.
+What is left is an inductive invariant: no register can ever leave its range. A register that keeps growing (a counter,
+whose bound comes from a comparison that ranges do not see) keeps its declared range.
 """
 
 import heapq

@@ -33,9 +33,11 @@ def memory_read_register(netlist: Netlist, memory: Memory) -> tuple[Register, No
 
 
 def control_registers(netlist: Netlist) -> dict[int, Register]:
-    """The registers that a reset must set: all that flags, enables and memory addresses depend on, through memories too.
+    """The registers that a reset must set: all that flags, enables and memory addresses depend on, through memories
+    too.
 
-    The others hold pixels and costs, which no flag announces before new ones have replaced them. {id of the value: register}
+    The others hold pixels and costs, which no flag announces before new ones have replaced them. {id of the value:
+    register}
     """
     by_value = {id(r.value): r for r in netlist.registers}
     words = {id(memory_read_register(netlist, m)[0].value): m for m in netlist.memories}

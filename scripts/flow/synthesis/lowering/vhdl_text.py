@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Netlist nodes as VHDL text.
 
-Single bits are boolean, numbers of up to 31 bits are integers of a declared range (GHDL runs them more than ten times as
-fast as bit vectors, and a range that is left is an error instead of a silent wrap), wider words are `unsigned`.
+Single bits are boolean, numbers of up to 31 bits are integers of a declared range (GHDL runs them more than ten times
+as fast as bit vectors, and a range that is left is an error instead of a silent wrap), wider words are `unsigned`.
 """
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError

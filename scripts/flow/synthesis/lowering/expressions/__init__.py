@@ -2,8 +2,8 @@
 """Expressions over whole numbers.
 
 A node is a mathematical integer with the interval of its possible values, not a bit vector: wrapping is an operation of
-its own (`wrap`), and disappears where the interval proves that nothing can wrap. Nodes are built by the functions below,
-which simplify locally and give the same object for the same expression; so structural equality is identity.
+its own (`wrap`), and disappears where the interval proves that nothing can wrap. Nodes are built by the functions
+below, which simplify locally and give the same object for the same expression; so structural equality is identity.
 """
 
 from .arithmetic import absolute, add, disjoint_ones, folded, mul, positive, shift_left, sub

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Words and conditions: wrapping, right shifts, choices, comparisons and bit operations. They stand in one file because each
-simplifies with the help of the others."""
+"""Words and conditions: wrapping, right shifts, choices, comparisons and bit operations. They stand in one file because
+each simplifies with the help of the others."""
 
 import operator
 from collections.abc import Callable, Iterable
@@ -50,8 +50,8 @@ def wrap(a: Node, width: int, signed: bool = False) -> Node:
 
 
 def _of_width(node: Node, width: int) -> Node:
-    """A term of a sum or product of which only the lowest `width` bits count: without a wrapping to more bits, and not longer
-    than an integer where that can be avoided."""
+    """A term of a sum or product of which only the lowest `width` bits count: without a wrapping to more bits, and not
+    longer than an integer where that can be avoided."""
     inner = node.args[0] if node.op == "wrap" and node.wrapping[0] >= width else node
     if inner.low >= -LONG and inner.high < LONG:
         return inner
@@ -184,7 +184,8 @@ def _tested_field(node: Node) -> _Field | None:
 
 
 def _joined_bits(node: Node) -> Node:
-    """Tests of neighbouring bits of one word become one comparison: the tool splits comparisons with constants into bits."""
+    """Tests of neighbouring bits of one word become one comparison: the tool splits comparisons with constants into
+    bits."""
     words: dict[int, list[tuple[_Field, Node]]] = {}
     others = []
     for a in node.args:

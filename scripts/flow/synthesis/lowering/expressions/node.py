@@ -3,8 +3,9 @@
 
 from collections.abc import Sequence
 
-# What an operation has beside its arguments: the number of a constant, the name of a leaf, the places of a shift, (width,
-# signed) of a wrap, the width of a bit operation on words. None of a bit operation on single bits, and of all others.
+# What an operation has beside its arguments: the number of a constant, the name of a leaf, the places of a shift,
+# (width, signed) of a wrap, the width of a bit operation on words. None of a bit operation on single bits, and of all
+# others.
 Parameter = int | str | tuple[int, bool] | None
 
 

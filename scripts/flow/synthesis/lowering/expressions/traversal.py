@@ -41,7 +41,8 @@ def walk(roots: Iterable[Node]) -> list[Node]:
 
 
 def rebuild(node: Node, replacement: Mapping[int, Node], done: dict[int, Node]) -> Node:
-    """The same expression with some leaves replaced (id of the leaf -> node), simplified again. `done` caches results."""
+    """The same expression with some leaves replaced (id of the leaf -> node), simplified again. `done` caches
+    results."""
     for n in walk([node]):
         if id(n) in done:
             continue
