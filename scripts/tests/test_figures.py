@@ -4,6 +4,7 @@
 import pytest
 
 from flow.base.configurations import configurations
+from flow.cosim.job import middle_rows
 from flow.implementation import figures
 
 PAPER_P2 = {"width_px": 320, "height_px": 240, "disparities": 100, "pixels_per_clock": 2, "gap_groups": 0}
@@ -45,12 +46,12 @@ def test_speed_follows_from_the_clock():
 )
 def test_the_middle_rows_give_an_output(lanes, first, least, rows):
     parameters = {"width_px": 32, "height_px": 12, "pixels_per_clock": lanes, "groups_to_first_output": first}
-    assert figures.middle_rows(parameters, least) == rows
+    assert middle_rows(parameters, least) == rows
 
 
 @pytest.mark.parametrize("name, parameters", configurations().items())
 def test_the_middle_rows_of_every_configuration_give_an_output(name, parameters):
-    rows = figures.middle_rows(parameters, 8)
+    rows = middle_rows(parameters, 8)
     first, end = map(int, rows.split(":")) if rows else (0, parameters["height_px"])
     assert 0 <= first < end <= parameters["height_px"] and (end - first) % parameters["pixels_per_clock"] == 0
     groups = (end - first) // parameters["pixels_per_clock"] * parameters["width_px"]
