@@ -242,19 +242,8 @@ def test_a_result_that_does_not_reach_stdout_is_a_failure(tmp_path, command):
 
 def test_results_of_a_pair_that_do_not_reach_stdout_are_a_failure(tmp_path, match, pair):
     fail_to_print(tmp_path, *match)
-    fail_to_print(
-        tmp_path,
-        "evaluate",
-        *pair,
-        "--truth-right",
-        pair[1],
-        "--border",
-        "0",
-        "--config",
-        "tiny",
-        "--json",
-        "deep/e.json",
-    )
+    truth = ["--truth-right", pair[1], "--border", "0"]
+    fail_to_print(tmp_path, "evaluate", *pair, *truth, "--config", "tiny", "--json", "deep/e.json")
 
 
 @pytest.mark.parametrize("out", ["deep/out", "deep/out.avi"])

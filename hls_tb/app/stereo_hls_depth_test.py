@@ -107,22 +107,10 @@ def depth(tmp_path):
 @pytest.mark.parametrize("reference", ["left", "right"])
 @pytest.mark.parametrize("subpixel", ["false", "true"])
 def test_a_plane_stands_where_it_stands(tmp_path, depth, reference, subpixel):
-    out = succeed(
-        *depth,
-        calibration(tmp_path / "c.yml"),
-        *plane(tmp_path),
-        "--rectified",
-        "--set",
-        "window_px=15",
-        "--set",
-        f"reference={reference}",
-        "--set",
-        f"subpixel={subpixel}",
-    )
-    assert png_depth(tmp_path / "out" / "depth.png") == 16 and png_size(tmp_path / "out" / "depth.png") == (
-        WIDTH,
-        HEIGHT,
-    )
+    settings = ["--set", "window_px=15", "--set", f"reference={reference}", "--set", f"subpixel={subpixel}"]
+    out = succeed(*depth, calibration(tmp_path / "c.yml"), *plane(tmp_path), "--rectified", *settings)
+    assert png_depth(tmp_path / "out" / "depth.png") == 16
+    assert png_size(tmp_path / "out" / "depth.png") == (WIDTH, HEIGHT)
     rows = png_pixels(tmp_path / "out" / "depth.png")
     columns = range(40, 120)
     # Subpixel disparities are whole here, give or take a sixteenth or two.

@@ -98,19 +98,8 @@ def shifted_pair(tmp_path, shift=3, width=WIDTH, height=HEIGHT):
     left = gray_image(tmp_path / "ls.pgm", lambda x, y: ground[y][x], **size)
     right = gray_image(tmp_path / "rs.pgm", lambda x, y: ground[y][x + shift], **size)
     truth = pfm(tmp_path / "shift.pfm", lambda x, y: shift, **size)
-    return [
-        "evaluate",
-        "--left",
-        left,
-        "--right",
-        right,
-        "--truth-left",
-        truth,
-        "--truth-right",
-        truth,
-        "--json",
-        tmp_path / "e.json",
-    ]
+    images = ["--left", left, "--right", right, "--truth-left", truth, "--truth-right", truth]
+    return ["evaluate", *images, "--json", tmp_path / "e.json"]
 
 
 def test_configurations_against_the_truth_of_their_reference(tmp_path):
@@ -142,18 +131,8 @@ def test_a_reference_without_truth_has_no_masks(tmp_path):
 
 
 def test_opencv_finds_the_shift(tmp_path):
-    out, [bm, sgbm] = results(
-        tmp_path,
-        *shifted_pair(tmp_path, width=120, height=60),
-        "--opencv",
-        "bm",
-        "--opencv",
-        "sgbm",
-        "--opencv-disparities",
-        16,
-        "--opencv-block",
-        7,
-    )
+    options = ["--opencv", "bm", "--opencv", "sgbm", "--opencv-disparities", 16, "--opencv-block", 7]
+    out, [bm, sgbm] = results(tmp_path, *shifted_pair(tmp_path, width=120, height=60), *options)
     assert [(m["name"], m["kind"], m["reference"]) for m in (bm, sgbm)] == [
         ("StereoBM", "opencv", "left"),
         ("StereoSGBM", "opencv", "left"),

@@ -58,19 +58,8 @@ def random_pair(folder, config, levels, seed=1, brightest=255):
 
 
 def cosim(config, pair, out, *options, environment=None):
-    return call(
-        "cosim.py",
-        "--config",
-        config,
-        "--left",
-        pair[0],
-        "--right",
-        pair[1],
-        "--out",
-        out,
-        *options,
-        environment=environment,
-    )
+    words = ["--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options]
+    return call("cosim.py", *words, environment=environment)
 
 
 def report(out):

@@ -112,22 +112,9 @@ def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
 def test_replay_of_one_chunk(ghdl, verilator, tmp_path):
     """The same seed gives the same stream and the same beats in the same clocks."""
     texts = []
+    options = ["--config", "tiny", "--frames", 60, "--chunk", 1, "--seed", 9, "--simulator", "verilator"]
     for folder in ("a", "b"):
-        process = call(
-            "verify_axi.py",
-            "--config",
-            "tiny",
-            "--frames",
-            60,
-            "--chunk",
-            1,
-            "--seed",
-            9,
-            "--simulator",
-            "verilator",
-            "--out",
-            tmp_path / folder,
-        )
+        process = call("verify_axi.py", *options, "--out", tmp_path / folder)
         assert process.returncode == 0, process.stdout + process.stderr
         texts.append((tmp_path / folder / "verilator tiny" / "mixture_1" / "observed.txt").read_text())
     assert texts[0] == texts[1]

@@ -114,16 +114,8 @@ def test_missing_bambu_says_where_to_get_it():
 
 
 def test_missing_program_says_how_to_build_it(pair):
-    process = call(
-        "cosim.py",
-        "--config",
-        "tiny",
-        "--left",
-        pair[0],
-        "--right",
-        pair[1],
-        environment={"STEREO_HLS": "/nowhere/stereo_hls"},
-    )
+    words = ["--config", "tiny", "--left", pair[0], "--right", pair[1]]
+    process = call("cosim.py", *words, environment={"STEREO_HLS": "/nowhere/stereo_hls"})
     refused(process, 3, "stereo_hls not found at /nowhere/stereo_hls", "cmake --build")
 
 

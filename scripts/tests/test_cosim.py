@@ -54,19 +54,8 @@ def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pair
 @pytest.mark.parametrize("config,stall_percent", [("tiny", 5), ("tiny", 60), ("tiny_p2", 30), ("tiny_p4", 30)])
 def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_percent):
     request.getfixturevalue(simulator)
-    process = cosim(
-        config,
-        pairs[config],
-        tmp_path,
-        "--frames",
-        4,
-        "--stall-percent",
-        stall_percent,
-        "--seed",
-        5,
-        "--simulator",
-        simulator,
-    )
+    options = ["--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator]
+    process = cosim(config, pairs[config], tmp_path, *options)
     result = passed(process, tmp_path, 4 * OUTPUTS[config])
     assert result["initiation_interval"]["max"] > 1, "bubbles show in the outputs"
 

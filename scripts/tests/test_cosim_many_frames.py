@@ -16,18 +16,7 @@ def test_ambrosch2007_frames_with_bubbles(request, tmp_path, simulator, images):
     pair = (
         scene(folder, "ambrosch2007", seed=11) if images == "scene" else random_pair(folder, "ambrosch2007", levels=8)
     )
-    process = cosim(
-        "ambrosch2007",
-        pair,
-        tmp_path / "out",
-        "--frames",
-        FRAMES,
-        "--stall-percent",
-        30,
-        "--seed",
-        3,
-        "--simulator",
-        simulator,
-    )
+    options = ["--frames", FRAMES, "--stall-percent", 30, "--seed", 3, "--simulator", simulator]
+    process = cosim("ambrosch2007", pair, tmp_path / "out", *options)
     assert process.returncode == 0, process.stdout + process.stderr
     assert report(tmp_path / "out")["compared"] == FRAMES * 220 * 240

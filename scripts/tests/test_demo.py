@@ -211,23 +211,10 @@ def filled(tmp_path):
     """A demo folder as the demo leaves it, with made-up co-simulations."""
     folder = tmp_path / "demo"
     left, right = scene(folder / "scene", "tiny", seed=3)
+    images = ["--left", left, "--right", right]
+    truth = ["--truth", folder / "scene" / "disparity_right.png", "--visible", folder / "scene" / "visible_right.png"]
     subprocess.run(
-        [
-            find_stereo_hls(),
-            "match",
-            "--config",
-            "tiny",
-            "--left",
-            left,
-            "--right",
-            right,
-            "--out",
-            folder / "match",
-            "--truth",
-            folder / "scene" / "disparity_right.png",
-            "--visible",
-            folder / "scene" / "visible_right.png",
-        ],
+        [find_stereo_hls(), "match", "--config", "tiny", *images, *truth, "--out", folder / "match"],
         check=True,
         capture_output=True,
     )

@@ -81,9 +81,8 @@ def test_maps_are_those_of_the_vector_files(tiny):
         for (column, row), value in values.items():
             assert (picture[row, column] == pictures.disparity_colors(value, 0, 7)).all()
     wrong = {place for place in want if want[place] != have[place]}
-    assert {
-        (column, row) for column, row in want if tuple(shown[2][row, column]) == pictures.rgb(frame_maps.DIFFERS)
-    } == wrong
+    red = pictures.rgb(frame_maps.DIFFERS)
+    assert {(column, row) for column, row in want if tuple(shown[2][row, column]) == red} == wrong
     assert min(wrong, key=lambda place: place[::-1]) == (x, y)
     assert {picture.mark for picture in failure.pictures} == {(100 * (x + 0.5) / 24, 100 * (y + 0.5) / 12)}
 
@@ -165,9 +164,8 @@ def test_lanes_and_rejected_pixels(ghdl, tmp_path):
     assert failure.pictures[0].mark[1] == pytest.approx(100 * (y + 0.5) / 12)
     assert pictures.REJECTED in [color for color, _, _ in failure.pictures[0].legend]
     cells = [cell for row in failure.around["rows"] for cell in row["cells"] if cell["first"]]
-    assert [cell["expected"].strip("()") for cell in cells] == [str(expected)] and [
-        cell["got"].strip("()") for cell in cells
-    ] == [str(got)]
+    assert [cell["expected"].strip("()") for cell in cells] == [str(expected)]
+    assert [cell["got"].strip("()") for cell in cells] == [str(got)]
 
 
 def test_missing_and_unknown_outputs(ghdl, tmp_path):
@@ -197,10 +195,8 @@ def test_a_late_mismatch_has_a_page_without_a_wave(ghdl, tmp_path, monkeypatch, 
     result = job.run_job(
         job.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out")
     )
-    assert (
-        result["passed"] is False
-        and "no waveform of the mismatch: it lies beyond clock 10; --wave FILE makes one" in capsys.readouterr().out
-    )
+    said = "no waveform of the mismatch: it lies beyond clock 10; --wave FILE makes one"
+    assert result["passed"] is False and said in capsys.readouterr().out
     assert (tmp_path / "out" / "failure.html").is_file() and not (tmp_path / "out" / "failure.vcd").exists()
 
 
@@ -281,9 +277,8 @@ def stretch(tmp_path):
 
 def test_a_stretch_begins_with_all_values(stretch):
     text, values = stretch.read_text(), Values(stretch)
-    assert (
-        "textio" not in text and "1 ns" in text and re.findall(r"^#\d+$", text, re.MULTILINE) == ["#10", "#15", "#20"]
-    )
+    assert "textio" not in text and "1 ns" in text
+    assert re.findall(r"^#\d+$", text, re.MULTILINE) == ["#10", "#15", "#20"]
     assert values.at("tb.dut.sum", 9) is None
     assert [values.at("tb.clock", time) for time in (10, 15, 20)] == [0, 1, 0]
     assert [values.at("tb.dut.sum", time) for time in (10, 20)] == [7, 7] and values.at("tb.pixel_valid", 10) == 1

@@ -25,25 +25,12 @@ def fill(folder, config, truth=True):
     """A demo folder as the demo leaves it, with made-up co-simulations."""
     left, right = scene(folder / "scene", config, seed=3)
     side = "left" if "left" in config else "right"
-    words = (
-        ["--truth", folder / "scene" / f"disparity_{side}.png", "--visible", folder / "scene" / f"visible_{side}.png"]
-        if truth
-        else []
-    )
+    images, words = ["--left", left, "--right", right], []
+    if truth:
+        words += ["--truth", folder / "scene" / f"disparity_{side}.png"]
+        words += ["--visible", folder / "scene" / f"visible_{side}.png"]
     subprocess.run(
-        [
-            find_stereo_hls(),
-            "match",
-            "--config",
-            config,
-            "--left",
-            left,
-            "--right",
-            right,
-            "--out",
-            folder / "match",
-            *words,
-        ],
+        [find_stereo_hls(), "match", "--config", config, *images, *words, "--out", folder / "match"],
         check=True,
         capture_output=True,
     )
