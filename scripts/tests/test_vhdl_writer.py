@@ -115,7 +115,12 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
     design = random_netlist(rng)
     narrow_registers(design)
     remove_unused(design)
-    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- random netlist").write())
+    assert_alike(design, rng, tmp_path)
+
+
+def assert_alike(design, rng, tmp_path):
+    """GHDL and Python on the same stimulus; and GHDL's synthesis takes the VHDL, too."""
+    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- netlist of a test").write())
     stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
     lines = [
         f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus
@@ -128,9 +133,30 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
     assert clocks == CLOCKS
     for expected, got in zip(run_in_python(design, stimulus), observed, strict=True):
         assert got == expected
-    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path), (
-        "GHDL's synthesis takes it, too"
-    )
+    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path)
+
+
+def test_only_a_sum_of_terms_that_share_no_bit_becomes_a_concatenation(ghdl, rng, tmp_path):
+    """As words they are operands of a bit operation: sums that share no bit, that carry, and that subtract."""
+    inputs = {name: n.leaf("input", name, w) for name, w in INPUTS.items()}
+    left, right = inputs["left_pixel"], inputs["right_pixel"]
+    low, high = n.wrap(left, 4), n.wrap(right, 3)
+    for number, total in enumerate(
+        (
+            n.add(low, n.shift_left(high, 4)),
+            n.add(low, high),
+            n.add(low, n.shift_left(high, 2), n.const(9)),
+            n.add(n.mux(inputs["valid"], n.const(20), n.const(30)), low, n.const(-20)),
+        )
+    ):
+        register = netlist.Register("r", n.leaf("register", "r", 8), next=n.bitwise("xor", total, right))
+        outputs = {
+            "disparity": register.value,
+            **dict.fromkeys(("disparity_valid", "pixel_valid"), n.const(1)),
+            **dict.fromkeys(("disparity_start_of_frame", "disparity_end_of_line"), n.const(0)),
+        }
+        (tmp_path / str(number)).mkdir()
+        assert_alike(netlist.Netlist(inputs, outputs, [register]), rng, tmp_path / str(number))
 
 
 def test_ranges_follow_a_pipeline_and_leave_counters_alone():

@@ -6,7 +6,7 @@ as fast as bit vectors, and a range that is left is an error instead of a silent
 """
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
-from .expressions import Node, const
+from .expressions import Node, const, disjoint_ones
 
 COMPARISONS = {"lt": "<", "ge": ">=", "eq": "=", "ne": "/="}
 
@@ -167,8 +167,10 @@ class Writer:
     def _concatenated(self, node: Node, width: int) -> str:
         """A sum of terms that share no bit, from the highest to the lowest."""
         terms = node.args if node.op == "add" else (node,)
-        parts = sorted((part for t in terms for part in _placed(t)), key=lambda part: -part[0])
-        if node.ones is None or (len(parts) == 1 and parts[0][0] == 0):
+        parts = []
+        if disjoint_ones(terms) is not None:
+            parts = sorted((part for t in terms for part in _placed(t)), key=lambda part: -part[0])
+        if not parts or (len(parts) == 1 and parts[0][0] == 0):
             if is_wide(node):
                 raise FlowError(f"no VHDL for the operation '{node.op}' on {node.width} bits", EXIT_TOOL_FAILED)
             return f"to_unsigned({self.number(node)}, {width})"
