@@ -9,14 +9,16 @@ from rich.console import Console
 from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.dev_loop import DevLoop  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.dev_loop import DevLoop
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
     parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
-    parser.add_argument("--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)")
+    parser.add_argument(
+        "--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)"
+    )
     parser.add_argument("--rows", type=int, default=8, metavar="N", help="rows of the crop in GHDL (default 8)")
     options = parser.parse_args()
     if options.rows < 2:

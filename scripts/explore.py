@@ -1,39 +1,85 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps window, cost, disparity range and options over some pairs with the fast model, and sets the quality beside the look-up
-tables that each choice costs: which configuration is worth its LUTs?"""
+"""Sweeps window, cost, disparity range and options over some pairs with the fast model, and sets the quality beside the
+look-up tables that each choice costs: which configuration is worth its LUTs?"""
 
 import os
 import sys
+from argparse import Namespace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import evaluation, explore, front, hardware_cost  # noqa: E402
-from flow.errors import EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import ROOT  # noqa: E402
-from rich.console import Console  # noqa: E402
+from rich.console import Console
+
+from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.tools import ROOT
+from flow.quality import evaluation, explore, front, hardware_cost
 
 
-def parse():
+def parse() -> Namespace:
     parser = ArgumentParser(prog="explore.py", description=__doc__)
-    parser.add_argument("--pair", nargs=4, action="append", default=[], metavar=("LEFT", "RIGHT", "TRUTH_LEFT", "TRUTH_RIGHT"),
-                        help="a rectified pair and the true disparities of both images, - for none; repeat it")
-    parser.add_argument("--truth-scale", type=float, default=1, metavar="S", help="grey levels a pixel of the pairs' truth (default 1)")
-    parser.add_argument("--scenes", type=int, metavar="N", help="generated scenes beside the pairs (default 2 without a pair, else 0)")
-    parser.add_argument("--window", nargs="+", type=int, default=[3, 5, 7, 9, 15, 21], metavar="B", help="sides of the window (default 3 5 7 9 15 21)")
-    parser.add_argument("--cost", nargs="+", choices=sorted(explore.COSTS), default=list(explore.COSTS), help="default all")
-    parser.add_argument("--range", dest="ranges", nargs="+", type=int, default=[64], metavar="D", help="disparities (default 64)")
-    parser.add_argument("--switch", nargs="*", choices=sorted(explore.SWITCHES), default=["xsobel", "left_right", "subpixel", "median"],
-                        help="options to sweep off and on (default xsobel left_right subpixel median)")
-    parser.add_argument("--mask", choices=evaluation.MASKS, default="non_occluded", help="region that counts (default non_occluded)")
-    parser.add_argument("--measure", choices=evaluation.MEASURES, default="bad_1", help="what the front is of (default bad_1)")
-    parser.add_argument("--valid-only", action="store_true", help="leave rejected pixels out instead of counting them as bad")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time (default one for each processor)")
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "explore", metavar="DIR", help="folder for explore.json, explore.csv and front.png")
+    parser.add_argument(
+        "--pair",
+        nargs=4,
+        action="append",
+        default=[],
+        metavar=("LEFT", "RIGHT", "TRUTH_LEFT", "TRUTH_RIGHT"),
+        help="a rectified pair and the true disparities of both images, - for none; repeat it",
+    )
+    parser.add_argument(
+        "--truth-scale", type=float, default=1, metavar="S", help="grey levels a pixel of the pairs' truth (default 1)"
+    )
+    parser.add_argument(
+        "--scenes", type=int, metavar="N", help="generated scenes beside the pairs (default 2 without a pair, else 0)"
+    )
+    parser.add_argument(
+        "--window",
+        nargs="+",
+        type=int,
+        default=[3, 5, 7, 9, 15, 21],
+        metavar="B",
+        help="sides of the window (default 3 5 7 9 15 21)",
+    )
+    parser.add_argument(
+        "--cost", nargs="+", choices=sorted(explore.COSTS), default=list(explore.COSTS), help="default all"
+    )
+    parser.add_argument(
+        "--range", dest="ranges", nargs="+", type=int, default=[64], metavar="D", help="disparities (default 64)"
+    )
+    parser.add_argument(
+        "--switch",
+        nargs="*",
+        choices=sorted(explore.SWITCHES),
+        default=["xsobel", "left_right", "subpixel", "median"],
+        help="options to sweep off and on (default xsobel left_right subpixel median)",
+    )
+    parser.add_argument(
+        "--mask", choices=evaluation.MASKS, default="non_occluded", help="region that counts (default non_occluded)"
+    )
+    parser.add_argument(
+        "--measure", choices=evaluation.MEASURES, default="bad_1", help="what the front is of (default bad_1)"
+    )
+    parser.add_argument(
+        "--valid-only", action="store_true", help="leave rejected pixels out instead of counting them as bad"
+    )
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=os.cpu_count() or 1,
+        metavar="N",
+        help="processes at a time (default one for each processor)",
+    )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "explore",
+        metavar="DIR",
+        help="folder for explore.json, explore.csv and front.png",
+    )
     return parser.parse_args()
 
 
-def check(options):
+def check(options: Namespace) -> None:
     if options.jobs < 1:
         raise FlowError("--jobs must be at least 1")
     if any(window < 2 or window > 31 for window in options.window):
@@ -52,16 +98,25 @@ def check(options):
         raise FlowError(f"cannot create {options.out}: {error.strerror}") from None
 
 
-def given_pairs(options):
-    return [explore.Pair(str(Path(left).parent.name or left), Path(left), Path(right), *(None if truth == "-" else Path(truth) for truth in truths), options.truth_scale)
-            for left, right, *truths in options.pair]
+def given_pairs(options: Namespace) -> list[explore.Pair]:
+    pairs = []
+    for left, right, *truths in options.pair:
+        truth_left, truth_right = (None if truth == "-" else Path(truth) for truth in truths)
+        name = Path(left).parent.name or left
+        pairs.append(explore.Pair(name, Path(left), Path(right), truth_left, truth_right, options.truth_scale))
+    return pairs
 
 
-def main():
+def main() -> int:
     options = parse()
     check(options)
     family = hardware_cost.Family()
-    sweep = explore.Sweep(sorted(set(options.window)), list(dict.fromkeys(options.cost)), sorted(set(options.ranges)), list(dict.fromkeys(options.switch)))
+    sweep = explore.Sweep(
+        sorted(set(options.window)),
+        list(dict.fromkeys(options.cost)),
+        sorted(set(options.ranges)),
+        list(dict.fromkeys(options.switch)),
+    )
     choices, refused = explore.choices(sweep, family)
     if not choices:
         raise FlowError("no choice is left: census takes no x-Sobel, and the texture check needs it")
@@ -69,38 +124,64 @@ def main():
     pairs = given_pairs(options) + explore.generated_scenes(number, max(sweep.ranges), options.out)
     if not pairs:
         raise FlowError("no pair: give --pair or --scenes")
-    print(f"{len(choices)} choices of options on {len(pairs)} pair{'s' if len(pairs) != 1 else ''} ({', '.join(pair.name for pair in pairs)})"
-          + (f"; {refused} combinations left out that no core has" if refused else ""))
+    names = ", ".join(pair.name for pair in pairs)
+    left_out = f"; {refused} combinations left out that no core has" if refused else ""
+    print(f"{len(choices)} choices of options on {len(pairs)} pair{'s' if len(pairs) != 1 else ''} ({names}){left_out}")
     table = explore.rows(pairs, choices, explore.evaluate(pairs, choices, options.jobs), family, options.mask)
     way = "valid_only" if options.valid_only else "invalid_bad"
     show(options, family, pairs, table, f"{options.measure}_{way}_percent")
     return EXIT_OK
 
 
-def show(options, family, pairs, table, key):
-    explore.mark_front(table, key)
-    title = f"{options.measure.replace('d1', 'D1').replace('bad_0_5', 'bad 0.5').replace('_', ' ')}, {options.mask.replace('_', '-')}, %"
-    size = family.base.parameters
-
-    def luts_title(disparities):
-        scaled = "" if disparities == family.disparities else f", measured at D={family.disparities} and taken in proportion to D"
-        return f"LUT4 on ECP5 of a {size['width_px']}x{size['height_px']} core{scaled}"
-
-    notes = ["measured: this very choice went through place and route. estimate: the plain core plus what each option alone costs, "
-             f"and in proportion to the disparities where they are not {family.disparities}. absent: an option is not measured.",
-             f"Measured configurations: {', '.join(family.measured)}; look-up tables of {size['width_px']}x{size['height_px']} and D={family.disparities} on ECP5, "
-             "the smaller one of direct and recursive sums; wider images need more memory."]
+def notes_on(family: hardware_cost.Family, table: list[explore.Row]) -> list[str]:
+    """Where the look-up tables come from."""
+    size = f"{family.base.parameters['width_px']}x{family.base.parameters['height_px']}"
+    notes = [
+        "measured: this very choice went through place and route. "
+        "estimate: the plain core plus what each option alone costs, "
+        f"and in proportion to the disparities where they are not {family.disparities}. "
+        "absent: an option is not measured.",
+        f"Measured configurations: {', '.join(family.measured)}; "
+        f"look-up tables of {size} and D={family.disparities} on ECP5, the smaller one of direct and recursive sums; "
+        "wider images need more memory.",
+    ]
     if any(row["disparities"] != family.disparities for row in table) and family.scale_check():
         notes.append(f"How good proportion is: {family.scale_check()}.")
+    return notes
+
+
+def show(
+    options: Namespace, family: hardware_cost.Family, pairs: list[explore.Pair], table: list[explore.Row], key: str
+) -> None:
+    explore.mark_front(table, key)
+    measure = options.measure.replace("d1", "D1").replace("bad_0_5", "bad 0.5").replace("_", " ")
+    title = f"{measure}, {options.mask.replace('_', '-')}, %"
+    size = f"{family.base.parameters['width_px']}x{family.base.parameters['height_px']}"
+
+    def luts_title(disparities: int) -> str:
+        scaled = f", measured at D={family.disparities} and taken in proportion to D"
+        return f"LUT4 on ECP5 of a {size} core{'' if disparities == family.disparities else scaled}"
+
+    notes = notes_on(family, table)
     picture = front.draw(table, key, title, luts_title)
-    content = {"format": explore.FORMAT, "pairs": [pair.name for pair in pairs], "mask": options.mask, "front_of": key, "notes": notes, "choices": table}
+    content = {
+        "format": explore.FORMAT,
+        "pairs": [pair.name for pair in pairs],
+        "mask": options.mask,
+        "front_of": key,
+        "notes": notes,
+        "choices": table,
+    }
     explore.write(options.out, content, table, picture)
     console = Console(highlight=False)
     for made in front.tables(table, key, title):
         console.print(made)
     for note in notes:
         console.print(note, soft_wrap=True)
-    console.print(f"Each row again: its command in {options.out}/explore.csv; the picture: {options.out}/front.png", soft_wrap=True)
+    console.print(
+        f"Each row again: its command in {options.out}/explore.csv; the picture: {options.out}/front.png",
+        soft_wrap=True,
+    )
 
 
 if __name__ == "__main__":

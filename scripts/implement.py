@@ -1,19 +1,23 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Implements the generated VHDL on FPGA families: area by yosys, on ECP5 also the clock after place and route by nextpnr."""
+"""Implements the generated VHDL on FPGA families: area by yosys, on ECP5 also the clock after place and route by
+nextpnr."""
 
 import sys
+from argparse import Namespace
+from collections.abc import Collection
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import implement, yosys  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import GENERATED_RTL, find_ghdl  # noqa: E402
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.tools import GENERATED_RTL, find_ghdl, find_yosys
+from flow.implementation import job, yosys
+from flow.synthesis.manifest import has_vhdl, known_configurations
 
 DEFAULT_SEEDS = [1, 2, 3]
 
 
-def chosen(given, known, what):
+def chosen(given: list[str], known: Collection[str], what: str) -> list[str]:
     """The values of a repeated option, 'all' expanded, each checked."""
     for name in given:
         if name not in known and name != "all":
@@ -21,7 +25,7 @@ def chosen(given, known, what):
     return sorted(known) if "all" in given else list(dict.fromkeys(given))
 
 
-def jobs(options):
+def jobs(options: Namespace) -> list[job.Job]:
     targets = chosen(options.target or ["all"], yosys.TARGETS, "target")
     if any(seed < 1 for seed in options.seeds):
         raise FlowError("--seeds must be 1 or more")
@@ -31,26 +35,40 @@ def jobs(options):
             raise FlowError("--rtl takes the VHDL of one --config")
         names = options.config
     else:
-        names = chosen(options.config, implement.known_configurations(), "configuration")
+        names = chosen(options.config, known_configurations(), "configuration")
         if "all" in options.config:
-            names = list(filter(implement.has_vhdl, names))
-    return [
-        implement.Job(name, options.rtl or GENERATED_RTL / name, options.out / name if options.out else options.rtl or GENERATED_RTL / name, targets, seeds)
-        for name in names
-    ]
+            names = list(filter(has_vhdl, names))
+    made = []
+    for name in names:
+        rtl = options.rtl or GENERATED_RTL / name
+        made.append(job.Job(name, rtl, options.out / name if options.out else rtl, targets, seeds))
+    return made
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="implement.py", description=__doc__)
-    parser.add_argument("--config", action="append", required=True, metavar="NAME", help="configuration, may be repeated; 'all' for each whose VHDL is in generated_rtl")
-    parser.add_argument("--target", action="append", metavar="FAMILY", help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)")
-    parser.add_argument("--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)")
+    parser.add_argument(
+        "--config",
+        action="append",
+        required=True,
+        metavar="NAME",
+        help="configuration, may be repeated; 'all' for each whose VHDL is in generated_rtl",
+    )
+    parser.add_argument(
+        "--target",
+        action="append",
+        metavar="FAMILY",
+        help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)",
+    )
+    parser.add_argument(
+        "--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)"
+    )
     parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")
     parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     work = jobs(parser.parse_args())
     find_ghdl()
-    yosys.find_yosys()
-    return max(implement.run_job(job) for job in work)
+    find_yosys()
+    return max(job.run_job(one) for one in work)
 
 
 if __name__ == "__main__":

@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the hand-written VHDL in hls/rtl and examples: GHDL's warnings, latches and loops in the netlist, layout. Any finding is an error."""
+"""Checks the hand-written VHDL in hls/rtl and examples: GHDL's warnings, latches and loops in the netlist, layout. Any
+finding is an error."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import lint  # noqa: E402
-from flow.axi import design  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command  # noqa: E402
-from flow.tools import ROOT  # noqa: E402
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
+from flow.base.tools import ROOT
+from flow.shell import design, lint
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="lint.py", description=__doc__)
     parser.add_argument("--config", default="tiny", help="configuration whose core stands in the shell (default tiny)")
     parser.add_argument("--rtl", type=Path, help="folder with the shell's VHDL (default hls/rtl)")

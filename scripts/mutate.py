@@ -1,29 +1,32 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Puts single faults into copies of the VHDL, of the core (configuration tiny) and of its AXI4-Stream shell, and counts which of
-them the tests notice. Survivors that are equivalent are explained in hls_tb/mutation/equivalent.json."""
+"""Puts single faults into copies of the VHDL, of the core (configuration tiny) and of its AXI4-Stream shell, and counts
+which of them the tests notice. Survivors that are equivalent are explained in hls_tb/mutation/equivalent.json."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import mutation  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.mutation.judges import WORK
+from flow.mutation.run import Run
 
 LEAST_SCORE_PERCENT = 98
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="mutate.py", description=__doc__)
     parser.add_argument("--core", type=int, default=60, metavar="N", help="mutants of the generated VHDL (default 60)")
-    parser.add_argument("--shell", type=int, default=60, metavar="N", help="mutants of the hand-written VHDL (default 60)")
+    parser.add_argument(
+        "--shell", type=int, default=60, metavar="N", help="mutants of the hand-written VHDL (default 60)"
+    )
     parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen (default 1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (default 2)")
-    parser.add_argument("--out", type=Path, default=mutation.WORK, help="folder of report.json (default build/mutation)")
+    parser.add_argument("--out", type=Path, default=WORK, help="folder of report.json (default build/mutation)")
     options = parser.parse_args()
     if min(options.core, options.shell) < 0 or options.core + options.shell < 1 or options.jobs < 1:
         raise FlowError("--core and --shell must be 0 or more, together and --jobs 1 or more")
-    score, unexplained = mutation.Run(options.seed, options.core, options.shell, options.jobs).run().report(options.out)
+    score, unexplained = Run(options.seed, options.core, options.shell, options.jobs).run().report(options.out)
     return EXIT_OK if score >= LEAST_SCORE_PERCENT and not unexplained else EXIT_MISMATCH
 
 

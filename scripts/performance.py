@@ -6,12 +6,14 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, implement, performance  # noqa: E402
-from flow.errors import EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.results import Configuration  # noqa: E402
+from flow.base import files
+from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.implementation.results import Configuration
+from flow.pages import performance
+from flow.synthesis.manifest import known_configurations
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="performance.py", description=__doc__)
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--check", action="store_true", help="only say whether the page is up to date")
@@ -22,9 +24,9 @@ def main():
     return files.update({performance.PAGE: performance.page()}, options.check, "scripts/performance.py")
 
 
-def show(name):
-    if name not in implement.known_configurations():
-        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(implement.known_configurations())}")
+def show(name: str) -> int:
+    if name not in known_configurations():
+        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(known_configurations())}")
     configuration = Configuration(name)
     for make in (performance.per_clock_table, performance.speed_table, performance.area_table):
         print(make([configuration]), end="\n\n")

@@ -6,11 +6,12 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import files, registers  # noqa: E402
-from flow.errors import ArgumentParser, run_command  # noqa: E402
+from flow.base import files
+from flow.base.errors import ArgumentParser, run_command
+from flow.shell import registers
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="registers.py", description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; exit code 1 when a file is not up to date")
     return files.update(registers.made_files(), parser.parse_args().check, "scripts/registers.py")

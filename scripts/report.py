@@ -6,11 +6,12 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import demo_folder, files, report  # noqa: E402
-from flow.errors import EXIT_OK, ArgumentParser, run_command  # noqa: E402
+from flow.base import files
+from flow.base.errors import EXIT_OK, ArgumentParser, run_command
+from flow.pages import demo_folder, report
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="report.py", description=__doc__)
     parser.add_argument("--demo", required=True, type=Path, metavar="DIR", help="folder of scripts/demo.sh")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default DIR/report.html)")

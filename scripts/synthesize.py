@@ -3,21 +3,23 @@
 """Makes the VHDL of configurations from the C++ core with Bambu, into generated_rtl/NAME/."""
 
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import tools  # noqa: E402
-from flow.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.families import keeps_vhdl  # noqa: E402
-from flow.generate import generate  # noqa: E402
-from flow.manifest import stale_reasons  # noqa: E402
+from flow.base.configurations import Parameters, configuration, configurations
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.families import keeps_vhdl
+from flow.base.tools import GENERATED_RTL, find_bambu
+from flow.synthesis.generate import generate
+from flow.synthesis.manifest import stale_reasons
 
 
-def check(names, table):
+def check(names: Iterable[str], table: dict[str, Parameters]) -> int:
     """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
     stale = {}
     for name in names:
-        if not (tools.GENERATED_RTL / name).is_dir() and not keeps_vhdl(name):
+        if not (GENERATED_RTL / name).is_dir() and not keeps_vhdl(name):
             print(f"{name}: not made yet")
             continue
         stale[name] = stale_reasons(name, table[name])
@@ -27,29 +29,44 @@ def check(names, table):
     kept = [name for name, reasons in stale.items() if reasons and keeps_vhdl(name)]
     if kept:
         again = " ".join(f"--config {name}" for name in kept)
-        raise FlowError(f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH)
+        raise FlowError(
+            f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH
+        )
     return EXIT_OK
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="synthesize.py", description=__doc__)
-    parser.add_argument("--config", action="append", metavar="NAME", help="configuration, may be repeated; 'all' for each (default: those whose VHDL is in the repository)")
-    parser.add_argument("--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu")
-    parser.add_argument("--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration")
+    parser.add_argument(
+        "--config",
+        action="append",
+        metavar="NAME",
+        help="configuration, may be repeated; 'all' for each (default: those whose VHDL is in the repository)",
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"
+    )
+    parser.add_argument(
+        "--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration"
+    )
     options = parser.parse_args()
-    table = tools.configurations()
+    table = configurations()
     names = options.config or sorted(filter(keeps_vhdl, table))
     if "all" in names:
         names = sorted(table)
     for name in names:
-        tools.configuration(name, table)
+        configuration(name, table)
     if options.check:
         return check(names, table)
-    tools.find_bambu()
+    find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
-        print(f"{name}: {report['states']} states ({report['loop_states']} in the loop), {report['registers']} registers ({report['registers_named']} named as in C++), "
-              f"{report['memory_bits']} memory bits, Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz")
+        print(
+            f"{name}: {report['states']} states ({report['loop_states']} in the loop), "
+            f"{report['registers']} registers ({report['registers_named']} named as in C++), "
+            f"{report['memory_bits']} memory bits, "
+            f"Bambu estimates {report['flip_flops']} flip-flops and {report['mhz']} MHz"
+        )
     return EXIT_OK
 
 

@@ -1,26 +1,41 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Verifies stereo_ip, the core between AXI4-Streams: random stalls, gaps, resets and broken streams, every frame compared with
-the C++ core. Thousands of frames in Verilator, all scenarios under cocotb in GHDL."""
+"""Verifies stereo_ip, the core between AXI4-Streams: random stalls, gaps, resets and broken streams, every frame
+compared with the C++ core. Thousands of frames in Verilator, all scenarios under cocotb in GHDL."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.axi import verify  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
-from flow.tools import configuration  # noqa: E402
+from flow.base.configurations import configuration
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.shell import verify
 
 
-def main():
+def main() -> int:
     parser = ArgumentParser(prog="verify_axi.py", description=__doc__)
-    parser.add_argument("--config", action="append", metavar="NAME", help="only this configuration, in Verilator; may be repeated")
-    parser.add_argument("--frames", type=int, help="correct frames of each --config (default: those of the whole run, or 100)")
-    parser.add_argument("--seed", type=int, default=1, help="of everything that is random; printed at the end (default 1)")
-    parser.add_argument("--chunk", type=int, metavar="N", help="with one --config: only its simulation 'mixture N', to replay it")
-    parser.add_argument("--short", action="store_true", help="the selection that the tests run: about a minute and a half")
+    parser.add_argument(
+        "--config", action="append", metavar="NAME", help="only this configuration, in Verilator; may be repeated"
+    )
+    parser.add_argument(
+        "--frames", type=int, help="correct frames of each --config (default: those of the whole run, or 100)"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, help="of everything that is random; printed at the end (default 1)"
+    )
+    parser.add_argument(
+        "--chunk", type=int, metavar="N", help="with one --config: only its simulation 'mixture N', to replay it"
+    )
+    parser.add_argument(
+        "--short", action="store_true", help="the selection that the tests run: about a minute and a half"
+    )
     parser.add_argument("--simulator", choices=("ghdl", "verilator"), help="only what runs in this one")
-    parser.add_argument("--out", type=Path, default=verify.WORK / "verify", help="report.json, junit.xml, streams (default build/axi/verify)")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=verify.WORK / "verify",
+        help="report.json, junit.xml, streams (default build/axi/verify)",
+    )
     options = parser.parse_args()
     if options.frames is not None and (options.frames < 1 or not options.config):
         raise FlowError("--frames must be at least 1 and needs --config")

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- The design as Bambu wrote it, with the ports of the lowered one, so that both run in the same bench. The tool's files
--- are in the library `bambu`; NAME stands for that of the configuration. Its core starts with the first clock of the bench's reset, since it spends one clock on
--- loading its registers before it takes input.
+-- are in the library `bambu`; NAME stands for that of the configuration. The core starts with the first clock of the
+-- bench's reset, since it spends one clock on loading its registers before it takes input.
 library ieee;
 use ieee.std_logic_1164.all;
 library bambu;

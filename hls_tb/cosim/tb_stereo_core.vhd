@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Drives a stereo_core_NAME (NAME stands for that of the configuration) with a stimulus file, one line a clock, and writes down every output with its clock. It judges
--- nothing: the one checker of all simulators does (scripts/flow/checker.py).
+-- Drives a stereo_core_NAME (NAME stands for that of the configuration) with a stimulus file, one line a clock, and
+-- writes down every output with its clock. It judges nothing: the one checker of all simulators does
+-- (scripts/flow/cosim/checker.py).
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;

@@ -10,8 +10,8 @@ import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiStreamBus, AxiStreamFrame, AxiStreamSink, AxiStreamSource
-from flow import registers
-from flow.axi import contract, pool
+
+from flow.shell import contract, pool, registers
 
 PERIOD_NS = 10
 QUIET_CLOCKS = 300  # nothing moved for so long: all that could come has come
@@ -19,7 +19,7 @@ HANG_CLOCKS = 20000
 
 
 def load_pool():
-    """(frames, parameters, seed) that flow.axi.cocotb_runs has prepared."""
+    """(frames, parameters, seed) that flow.shell.cocotb_runs has prepared."""
     with open(os.environ["STEREO_AXI_POOL"], encoding="ascii") as file:
         content = json.load(file)
     frames = [pool.Frame(*(tuple(entry[key]) for key in ("groups", "results", "needs"))) for entry in content["frames"]]
@@ -29,8 +29,10 @@ def load_pool():
 def add_tests(module, prefix, function, cases):
     """Makes a cocotb test of a module for each tuple of arguments, named after them."""
     for case in cases:
+
         async def test(dut, arguments=case):
             await function(dut, *arguments)
+
         test.__name__ = test.__qualname__ = "_".join([prefix, *(str(value).replace(" ", "_") for value in case)])
         test.__doc__ = function.__doc__
         test.__module__ = module["__name__"]
@@ -38,8 +40,8 @@ def add_tests(module, prefix, function, cases):
 
 
 class Watch:
-    """Sees every clock of the streams and of the registers' answers, and breaches of the protocol: what is offered stays as
-    it is until it is taken, and no answer comes before its question was taken."""
+    """Sees every clock of the streams and of the registers' answers, and breaches of the protocol: what is offered
+    stays as it is until it is taken, and no answer comes before its question was taken."""
 
     ANSWERS = {"s_axil_b": ("bresp",), "s_axil_r": ("rdata", "rresp")}
     QUESTIONS = {"s_axil_b": ("s_axil_aw", "s_axil_w"), "s_axil_r": ("s_axil_ar",)}
@@ -108,7 +110,11 @@ class Watch:
             in_reset += 1
             self.held.clear()
             self.asked = dict.fromkeys(self.asked, 0)
-            offered = [name for name in ("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid") if getattr(self.dut, name).value]
+            offered = [
+                name
+                for name in ("m_axis_tvalid", "s_axis_tready", "s_axil_bvalid", "s_axil_rvalid")
+                if getattr(self.dut, name).value
+            ]
             if in_reset > 1 and offered:
                 self.breaches.append(f"{' and '.join(offered)} in reset, clock {self.clock}")
 
@@ -142,10 +148,12 @@ class Bench:
 
     def rates(self, source_percent, sink_percent):
         """Chance in percent that a side pauses in a clock."""
+
         def pauses(percent):
             generator = random.Random(self.random.random())
             while True:
                 yield generator.random() * 100 < percent
+
         for end, percent in ((self.source, source_percent), (self.sink, sink_percent)):
             if percent:
                 end.set_pause_generator(pauses(percent))
@@ -165,7 +173,9 @@ class Bench:
             self._send_line(line)
 
     def _send_line(self, line):
-        self.source.send_nowait(AxiStreamFrame([data for data, _ in line], tuser=[flags & contract.START for _, flags in line]))
+        self.source.send_nowait(
+            AxiStreamFrame([data for data, _ in line], tuser=[flags & contract.START for _, flags in line])
+        )
 
     async def sent(self):
         """Until the source has nothing more to send."""
@@ -190,7 +200,7 @@ class Bench:
         self.dut.aresetn.value = 1
 
     async def play(self, steps):
-        """The steps of flow.axi.script, then quiet."""
+        """The steps of flow.shell.script, then quiet."""
         beats = []
         for kind, *values in [*steps, ("drain",)]:
             if kind == "beat":

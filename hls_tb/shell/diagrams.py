@@ -1,19 +1,44 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Records what the signals of stereo_ip really do, for the pictures in docs/integration.md (scripts/timing_diagrams.py)."""
+"""Records what the signals of stereo_ip really do, for the pictures in docs/integration.md
+(scripts/timing_diagrams.py)."""
 
 import json
 import os
 
 import cocotb
-from bench import Bench
 from cocotb.triggers import ClockCycles, FallingEdge
-from flow.axi.broken import beats_of
 
-STREAMS = ("s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser", "s_axis_tlast",
-           "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast")
-REGISTERS = ("s_axil_awvalid", "s_axil_awready", "s_axil_awaddr", "s_axil_wvalid", "s_axil_wready", "s_axil_wdata",
-             "s_axil_bvalid", "s_axil_bready", "s_axil_arvalid", "s_axil_arready", "s_axil_araddr",
-             "s_axil_rvalid", "s_axil_rready", "s_axil_rdata")
+from bench import Bench
+from flow.shell.broken import beats_of
+
+STREAMS = (
+    "s_axis_tvalid",
+    "s_axis_tready",
+    "s_axis_tdata",
+    "s_axis_tuser",
+    "s_axis_tlast",
+    "m_axis_tvalid",
+    "m_axis_tready",
+    "m_axis_tdata",
+    "m_axis_tuser",
+    "m_axis_tlast",
+)
+REGISTERS = (
+    "s_axil_awvalid",
+    "s_axil_awready",
+    "s_axil_awaddr",
+    "s_axil_wvalid",
+    "s_axil_wready",
+    "s_axil_wdata",
+    "s_axil_bvalid",
+    "s_axil_bready",
+    "s_axil_arvalid",
+    "s_axil_arready",
+    "s_axil_araddr",
+    "s_axil_rvalid",
+    "s_axil_rready",
+    "s_axil_rdata",
+)
 
 
 async def record(dut, names, rows):

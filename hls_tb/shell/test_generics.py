@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stereo_ip in GHDL under cocotb with other generics than those of its core. Each test names the run that it belongs to."""
+"""stereo_ip in GHDL under cocotb with other generics than those of its core. Each test names the run that it belongs
+to."""
 
 import cocotb
-from bench import Bench
 from cocotb.triggers import ClockCycles
-from flow.axi import script
-from flow.axi.broken import beats_of
+
+from bench import Bench
+from flow.shell import script
+from flow.shell.broken import beats_of
 
 
 @cocotb.test()
 async def wrong_latency(dut):
-    """latency_clocks is not that of the core: core_fault says so as soon as a clock without a group shows it, nothing overflows."""
+    """latency_clocks is not that of the core: core_fault says so as soon as a clock without a group shows it, nothing
+    overflows."""
     bench = await Bench(dut, "wrong latency").start()
     bench.rates(50, 0)
     await bench.play(script.send(beats_of(bench.pool[0], bench.geometry)))

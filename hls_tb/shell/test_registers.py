@@ -2,12 +2,12 @@
 """stereo_ip in GHDL under cocotb: registers, alone and while frames run."""
 
 import cocotb
-from bench import PERIOD_NS, Bench, add_tests
 from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
-from flow import registers
-from flow.axi import script
-from flow.axi.broken import beats_of
-from flow.axi.contract import LAST, RESULT_ERROR, expect
+
+from bench import PERIOD_NS, Bench, add_tests
+from flow.shell import registers, script
+from flow.shell.broken import beats_of
+from flow.shell.contract import LAST, RESULT_ERROR, expect
 
 
 def a_frame(bench):
@@ -166,8 +166,16 @@ async def traffic_during_frames(dut):
     """Reads and writes without pause while frames run: neither side disturbs the other."""
     bench = await Bench(dut, "traffic").start()
     bench.rates(20, 20)
-    for percent, channel in zip((30, 60, 40, 50, 70), (bench.axil.write_if.aw_channel, bench.axil.write_if.w_channel,
-                                bench.axil.write_if.b_channel, bench.axil.read_if.ar_channel, bench.axil.read_if.r_channel)):
+    for percent, channel in zip(
+        (30, 60, 40, 50, 70),
+        (
+            bench.axil.write_if.aw_channel,
+            bench.axil.write_if.w_channel,
+            bench.axil.write_if.b_channel,
+            bench.axil.read_if.ar_channel,
+            bench.axil.read_if.r_channel,
+        ),
+    ):
         generator = bench.random.__class__(percent)
         channel.set_pause_generator(iter(lambda g=generator, p=percent: g.random() * 100 < p, None))
     running = cocotb.start_soon(bench.play(script.frames(bench.random, bench.pool, bench.geometry, 6)))
@@ -196,8 +204,8 @@ async def soft_reset_at(bench, clocks):
 
 @cocotb.test()
 async def soft_reset(dut):
-    """At random clocks of frames and gaps: each frame that has begun still comes whole, the one that was cut with the mark; no
-    beat of m_axis is withdrawn; the next frame is exact."""
+    """At random clocks of frames and gaps: each frame that has begun still comes whole, the one that was cut with the
+    mark; no beat of m_axis is withdrawn; the next frame is exact."""
     bench = await Bench(dut, "soft reset").start()
     size, cut = bench.geometry.results, 0
     for _ in range(10):

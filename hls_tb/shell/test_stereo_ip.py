@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stereo_ip in GHDL under cocotb: streams. Every frame is compared with the C++ core (flow.axi.contract)."""
+"""stereo_ip in GHDL under cocotb: streams. Every frame is compared with the C++ core (flow.shell.contract)."""
 
 import cocotb
-from bench import Bench, add_tests
 from cocotb.triggers import ClockCycles, FallingEdge, Timer
-from flow.axi import script
-from flow.axi.broken import CASES, beats_of
-from flow.axi.contract import RESULT_START, expect
+
+from bench import Bench, add_tests
+from flow.shell import script
+from flow.shell.broken import CASES, beats_of
+from flow.shell.contract import RESULT_START, expect
 
 MOST_GAPS = 60  # that one run tries, beside the shortest
 
@@ -16,7 +17,9 @@ async def frames(dut, name):
 
 
 def full_frames(bench, count):
-    return script.send([beat for _ in range(count) for beat in beats_of(bench.random.choice(bench.pool), bench.geometry)])
+    return script.send(
+        [beat for _ in range(count) for beat in beats_of(bench.random.choice(bench.pool), bench.geometry)]
+    )
 
 
 @cocotb.test()
@@ -59,7 +62,12 @@ async def random_stalls(dut, source, sink):
     assert bench.judge().exact_frames == 4
 
 
-add_tests(globals(), "stalls", random_stalls, [(10, 0), (0, 10), (50, 0), (0, 50), (30, 30), (50, 50), (80, 10), (10, 80), (90, 90)])
+add_tests(
+    globals(),
+    "stalls",
+    random_stalls,
+    [(10, 0), (0, 10), (50, 0), (0, 50), (30, 30), (50, 50), (80, 10), (10, 80), (90, 90)],
+)
 
 
 async def hold_between_frames(bench, lengths):
@@ -91,7 +99,8 @@ async def gaps_of_all_lengths(dut):
 
 
 async def broken_stream(dut, case):
-    """The case at full speed and with stalls; each time the next correct frame is exact. Status shows just its errors."""
+    """The case at full speed and with stalls; each time the next correct frame is exact. Status shows just its
+    errors."""
     bench = await frames(dut, case)
     steps = script.broken(bench.random, bench.pool, bench.geometry, case)
     steps += [("rates", 25, 25), *script.broken(bench.random, bench.pool, bench.geometry, case)]
@@ -116,7 +125,10 @@ async def reset_at_any_clock(dut):
     bench = await frames(dut, "reset")
     for _ in range(12):
         bench.rates(bench.random.choice((0, 30)), bench.random.choice((0, 30, 90)))
-        bench.send(beats_of(bench.random.choice(bench.pool), bench.geometry) + beats_of(bench.random.choice(bench.pool), bench.geometry))
+        bench.send(
+            beats_of(bench.random.choice(bench.pool), bench.geometry)
+            + beats_of(bench.random.choice(bench.pool), bench.geometry)
+        )
         await ClockCycles(dut.aclk, bench.random.randrange(1, int(2.2 * bench.geometry.groups)))
         await bench.reset(bench.random.randrange(1, 5))
         bench.rates(0, 0)

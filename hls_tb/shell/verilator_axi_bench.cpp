@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a stream of scripts/flow/axi/script.py into stereo_ip and writes down every beat of m_axis. It judges nothing
+// Plays a stream of scripts/flow/shell/script.py into stereo_ip and writes down every beat of m_axis. It judges nothing
 // but the protocol: contract.py compares.
 //   bench STREAM OBSERVED
 // OBSERVED: "o DATA FLAGS CLOCK" for each beat (flags: 1 start of frame, 2 frame error, 4 end of line), "r" at a reset,

@@ -15,16 +15,19 @@ SKIPS = "import pytest\ndef test_skips():\n    pytest.skip('ghdl is missing')\n"
 SKIPS_WHOLE = "import pytest\npytest.skip('ghdl is missing', allow_module_level=True)\n"
 
 
-@pytest.mark.parametrize("text, code, skip_shown", [
-    (PASSES, 0, False),
-    (FAILS, 1, False),
-    (SKIPS, 77, True),
-    (SKIPS_WHOLE, 77, True),
-    (SKIPS + PASSES, 0, False),
-    (SKIPS + FAILS, 1, False),
-    ("", 5, False),
-    ("syntax error", 2, False),
-])
+@pytest.mark.parametrize(
+    "text, code, skip_shown",
+    [
+        (PASSES, 0, False),
+        (FAILS, 1, False),
+        (SKIPS, 77, True),
+        (SKIPS_WHOLE, 77, True),
+        (SKIPS + PASSES, 0, False),
+        (SKIPS + FAILS, 1, False),
+        ("", 5, False),
+        ("syntax error", 2, False),
+    ],
+)
 def test_exit_code(tmp_path, text, code, skip_shown):
     file = tmp_path / "case_test.py"
     file.write_text(text)

@@ -5,15 +5,19 @@ import json
 import os
 import shutil
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from . import bambu
-from .errors import FlowError
-from .tools import GENERATED_RTL, ROOT, find_bambu, find_ghdl, find_verilator, run
+from .base.errors import FlowError
+from .base.tools import GENERATED_RTL, ROOT, Word, find_bambu, find_ghdl, find_verilator, run
+from .synthesis import bambu
 
 SCRIPTS = ROOT / "scripts"
 WORK = ROOT / "build" / "dev_loop"
 ORIGINAL_ROWS = 3  # or as few as give an output: Bambu's own VHDL takes about a second for 100 clocks
+
+
+Step = Callable[[], str]  # gives a note
 
 
 @dataclass
@@ -26,7 +30,7 @@ class Timing:
 
 
 class DevLoop:
-    def __init__(self, config, header, crop_rows):
+    def __init__(self, config: str, header: str, crop_rows: int) -> None:
         self.config, self.crop_rows = config, crop_rows
         self.header = ROOT / "hls" / header
         self.build = WORK / "native"  # of this configuration only, as its developer would build it
@@ -36,8 +40,8 @@ class DevLoop:
             raise FlowError(f"unknown configuration '{config}': generated_rtl/{config} has no manifest.json")
         os.environ["STEREO_HLS"] = str(self.build / "stereo_hls")  # for the commands called below
 
-    def steps(self):
-        """(name, function) in the order of a developer's day; a function returns a note."""
+    def steps(self) -> list[tuple[str, Step]]:
+        """With their names, in the order of a developer's day."""
         return [
             (f"native build after a change of hls/{self.header.name}", self.native_build),
             ("native tests (ctest -L unit)", self.unit_tests),
@@ -48,7 +52,7 @@ class DevLoop:
             (f"Bambu's own VHDL in GHDL, {ORIGINAL_ROWS} rows", lambda: self.cosim("original", ORIGINAL_ROWS)),
         ]
 
-    def measure(self, name, step):
+    def measure(self, name: str, step: Step) -> Timing:
         started = time.monotonic()
         try:
             note = step()
@@ -58,52 +62,67 @@ class DevLoop:
             return Timing(name, time.monotonic() - started, failed=str(error))
         return Timing(name, time.monotonic() - started, note)
 
-    def prepare(self):
+    def prepare(self) -> None:
         """What must be there before the first step is timed: an up-to-date build and a pair of images."""
         WORK.mkdir(parents=True, exist_ok=True)
-        run(["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={self.config}"],
-            log=WORK / "configure.log")
+        settings = ["-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={self.config}"]
+        run(["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", *settings], log=WORK / "configure.log")
         run(["cmake", "--build", self.build], log=WORK / "up_to_date.log")
-        run([os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"], passes_errors=True)
+        run(
+            [os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"],
+            passes_errors=True,
+        )
         shutil.rmtree(WORK / "rtl", ignore_errors=True)
 
-    def native_build(self):
+    def native_build(self) -> str:
         os.utime(self.header)
         run(["cmake", "--build", self.build], log=WORK / "build.log")
         return ""
 
-    def unit_tests(self):
+    def unit_tests(self) -> str:
         output = run(["ctest", "--test-dir", self.build, "-L", "unit", "--no-tests=error"], log=WORK / "unit.log")
         return next((line.split(",")[0] for line in output.splitlines() if "tests passed" in line), "")
 
-    def synthesis(self):
+    def synthesis(self) -> str:
         need(find_bambu)
         # Else the tool's last run would be taken, as a touched header has the same content.
         (bambu.WORK / self.config / "inputs.json").unlink(missing_ok=True)
-        run([SCRIPTS / "synthesize.py", "--config", self.config, "--out", WORK / "rtl"], log=WORK / "synthesis.log", passes_errors=True)
+        command: list[Word] = [SCRIPTS / "synthesize.py", "--config", self.config, "--out", WORK / "rtl"]
+        run(command, log=WORK / "synthesis.log", passes_errors=True)
         return "into build/"
 
-    def cosim(self, simulator, rows=None):
+    def cosim(self, simulator: str, rows: int | None = None) -> str:
         need(find_verilator if simulator == "verilator" else find_ghdl)
         if simulator == "original":
             need(find_bambu)
         # From scratch, as after a change.
         shutil.rmtree(ROOT / "build" / "cosim" / "simulators" / f"{self.config}-{simulator}", ignore_errors=True)
         name, new_rtl = f"{simulator}{'-crop' if rows else ''}", WORK / "rtl" / self.config
-        command = [SCRIPTS / "cosim.py", "--config", self.config, "--simulator", simulator, "--out", WORK / name]
+        command: list[Word] = [
+            SCRIPTS / "cosim.py",
+            "--config",
+            self.config,
+            "--simulator",
+            simulator,
+            "--out",
+            WORK / name,
+        ]
         command += ["--left", WORK / "scene" / "left.png", "--right", WORK / "scene" / "right.png"]
-        command += ["--rows", rows] if rows else []
-        command += ["--rtl", new_rtl] if new_rtl.is_dir() else []
+        if rows:
+            command += ["--rows", rows]
+        if new_rtl.is_dir():
+            command += ["--rtl", new_rtl]
         run(command, log=WORK / f"{name}.log", passes_errors=True)
         report = json.loads((WORK / name / "report.json").read_text())
-        return f"build {report['build_seconds']:.1f} s, run {report['simulation_seconds']:.2f} s, {report['clocks_per_second']:,.0f} clocks/s"
+        times = f"build {report['build_seconds']:.1f} s, run {report['simulation_seconds']:.2f} s"
+        return f"{times}, {report['clocks_per_second']:,.0f} clocks/s"
 
 
 class Skipped(Exception):
     pass
 
 
-def need(find):
+def need(find: Callable[[], str]) -> None:
     """Turns a missing tool into a skipped step."""
     try:
         find()

@@ -21,8 +21,10 @@ document.getElementById("page").onload = () => {{
   const box = (element) => element.getBoundingClientRect();
   const wide = [...page.body.querySelectorAll("*")].filter((e) => !inside(e) && box(e).right > root.clientWidth + 1);
   document.getElementById("seen").textContent = JSON.stringify({{
-    width: root.clientWidth, scroll_width: root.scrollWidth, height: root.scrollHeight, text: page.body.innerText.length,
-    images: [...page.images].map((image) => ({{ natural: image.naturalWidth, shown: Math.round(box(image).width), alt: image.alt }})),
+    width: root.clientWidth, scroll_width: root.scrollWidth,
+    height: root.scrollHeight, text: page.body.innerText.length,
+    images: [...page.images].map((image) => (
+      {{ natural: image.naturalWidth, shown: Math.round(box(image).width), alt: image.alt }})),
     marks: [...page.querySelectorAll(".mark")].map((e) => [box(e).x, box(e).y]),
     too_wide: wide.map((e) => e.tagName + "." + e.className),
     smallest_text_px: Math.min(...[...page.body.querySelectorAll("*")].filter((e) => e.innerText && !e.children.length)
@@ -35,8 +37,18 @@ document.getElementById("page").onload = () => {{
 def _run(folder, width, height, page, *options):
     wrapper = folder / "frame.html"
     wrapper.write_text(_FRAME.format(width=width, height=height, uri=page.resolve().as_uri()))
-    words = [need("chromium"), "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--allow-file-access-from-files",
-             "--virtual-time-budget=3000", f"--user-data-dir={folder / 'profile'}", *options, wrapper.as_uri()]
+    words = [
+        need("chromium"),
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--hide-scrollbars",
+        "--allow-file-access-from-files",
+        "--virtual-time-budget=3000",
+        f"--user-data-dir={folder / 'profile'}",
+        *options,
+        wrapper.as_uri(),
+    ]
     return subprocess.run(words, capture_output=True, text=True, timeout=120, check=True).stdout
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A small design in the shape in which the tool writes VHDL, for tests that need no tool.
 
-One loop state S_0 after the start-up state S_1, which loads 5 into the counter `reg_0`. In the loop the counter grows by
-the input `valid`, and its sum with the constant 3 is the output `disparity`.
+One loop state S_0 after the start-up state S_1, which loads 5 into the counter `reg_0`. In the loop the counter grows
+by the input `valid`, and its sum with the constant 3 is the output `disparity`.
 """
 
 DATAPATH = """
@@ -69,7 +69,7 @@ begin
     in2 => std_logic_vector(out_sum));
 
 end datapath_stereo_core_arch;
-"""
+"""  # noqa: E501 - as the tool breaks its lines
 
 CONTROLLER = """
 entity controller_stereo_core is

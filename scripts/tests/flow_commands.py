@@ -9,14 +9,17 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from flow import manifest
-from flow.tools import GENERATED_RTL, ROOT, configuration, find_stereo_hls
+from flow.base.configurations import configuration
+from flow.base.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.synthesis import manifest
 
 
 def call(command, *arguments, environment=None):
     """The finished process of scripts/COMMAND."""
     words = [str(ROOT / "scripts" / command), *map(str, arguments)]
-    return subprocess.run(words, capture_output=True, text=True, env={**os.environ, **(environment or {})}, stdin=subprocess.DEVNULL)
+    return subprocess.run(
+        words, capture_output=True, text=True, env={**os.environ, **(environment or {})}, stdin=subprocess.DEVNULL
+    )
 
 
 def refused(process, exit_code, *words):
@@ -31,24 +34,32 @@ def refused(process, exit_code, *words):
 
 def scene(folder, config, seed=7):
     """(left, right) of a generated pair of the size that a configuration takes."""
-    subprocess.run([find_stereo_hls(), "scene", "--config", config, "--seed", str(seed), "--out", str(folder)], check=True, capture_output=True)
+    subprocess.run(
+        [find_stereo_hls(), "scene", "--config", config, "--seed", str(seed), "--out", str(folder)],
+        check=True,
+        capture_output=True,
+    )
     return folder / "left.png", folder / "right.png"
 
 
 def random_pair(folder, config, levels, seed=1, brightest=255):
-    """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties everywhere, far
-    apart also extremes, close together sums that differ by little."""
+    """(left, right) of unrelated noise with so many grey levels from 0 to the brightest: few levels give ties
+    everywhere, far apart also extremes, close together sums that differ by little."""
     size = configuration(config)
     generator = random.Random(f"{levels} {seed}")
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("left", "right"):
-        pixels = bytes(generator.randrange(levels) * brightest // max(levels - 1, 1) for _ in range(size["width_px"] * size["height_px"]))
+        pixels = bytes(
+            generator.randrange(levels) * brightest // max(levels - 1, 1)
+            for _ in range(size["width_px"] * size["height_px"])
+        )
         (folder / f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (size["width_px"], size["height_px"]) + pixels)
     return folder / "left.pgm", folder / "right.pgm"
 
 
 def cosim(config, pair, out, *options, environment=None):
-    return call("cosim.py", "--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options, environment=environment)
+    words = ["--config", config, "--left", pair[0], "--right", pair[1], "--out", out, *options]
+    return call("cosim.py", *words, environment=environment)
 
 
 def report(out):

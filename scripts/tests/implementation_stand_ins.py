@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stand-in executables for the tools that implement.py calls. Each records its command line and writes a small answer."""
+"""Stand-in executables for the tools that implement.py calls. Each records its command line and writes a small
+answer."""
 
 import json
 
 VERILOG = "module stereo_core\\n  assign raster_left = n1_q;\\n  assign slice0cost_column_0 = n2_q;\\nendmodule"
 CELLS = {"LUT4": 10, "CCU2C": 3, "TRELLIS_DPR16X4": 2, "PFUMX": 4, "TRELLIS_FF": 7, "DP16KD": 1}
-NETLIST = {"modules": {"stereo_core": {
-    "netnames": {"raster_left": {"bits": [5]}, "n1_q": {"bits": [5]}, "n2_q": {"bits": [6]}},
-    "cells": {"a": {"type": "TRELLIS_FF", "connections": {"Q": [5]}}, "b": {"type": "TRELLIS_FF", "connections": {"Q": [6]}}},
-}}}
+NETLIST = {
+    "modules": {
+        "stereo_core": {
+            "netnames": {"raster_left": {"bits": [5]}, "n1_q": {"bits": [5]}, "n2_q": {"bits": [6]}},
+            "cells": {
+                "a": {"type": "TRELLIS_FF", "connections": {"Q": [5]}},
+                "b": {"type": "TRELLIS_FF", "connections": {"Q": [6]}},
+            },
+        }
+    }
+}
 MEMORY = "  cell $mem_v2 \\rows.memory\n    parameter \\SIZE 320\n    parameter \\WIDTH 16\n"
 GHDL = f"""case "$*" in *--version*) echo 'GHDL 2.0.0 (stand-in)';; *--synth*) printf '{VERILOG}\\n';; esac"""
 
@@ -19,7 +27,11 @@ def report(mhz):
         "utilization": {"TRELLIS_COMB": {"used": 40}},
         "critical_paths": [
             {"from": "<async>", "to": "posedge clock", "path": []},
-            {"from": "posedge clock", "to": "posedge clock", "path": [{"from": {"cell": "a"}, "to": {"cell": "a"}}, {"from": {"cell": "x"}, "to": {"cell": "b"}}]},
+            {
+                "from": "posedge clock",
+                "to": "posedge clock",
+                "path": [{"from": {"cell": "a"}, "to": {"cell": "a"}}, {"from": {"cell": "x"}, "to": {"cell": "b"}}],
+            },
         ],
     }
 
@@ -27,28 +39,39 @@ def report(mhz):
 def tool(folder, name, body):
     """An executable shell script that records its arguments in NAME.calls and then does `body`."""
     path = folder / name
-    path.write_text(f"#!/bin/sh\necho \"$*\" >> {folder}/{name}.calls\n{body}\n")
+    path.write_text(f'#!/bin/sh\necho "$*" >> {folder}/{name}.calls\n{body}\n')
     path.chmod(0o755)
     return path
 
 
 def yosys_body(cells=None, lost="", statistics=None):
     """yosys as flow.yosys.script drives it: the files are what the script names."""
-    stat = json.dumps({"modules": {"\\stereo_core": {"num_cells_by_type": cells or CELLS}}}) if statistics is None else statistics
+    stat = (
+        json.dumps({"modules": {"\\stereo_core": {"num_cells_by_type": cells or CELLS}}})
+        if statistics is None
+        else statistics
+    )
     files = {"memories.txt": MEMORY, "unmapped.txt": lost, "stat.json": stat, "netlist.json": json.dumps(NETLIST)}
     writes = "\n".join(f"cat > {name} <<'END'\n{text}\nEND" for name, text in files.items())
     return f'if [ "$1" = -V ]; then echo "Yosys 0.23 (stand-in)"; exit; fi\n{writes}'
 
 
 def nextpnr_body(mhz_by_seed):
-    cases = "\n".join(f"*'--seed {seed} '*) cat > report_{seed}.json <<'END'\n{json.dumps(report(mhz))}\nEND\n;;" for seed, mhz in mhz_by_seed.items())
+    cases = "\n".join(
+        f"*'--seed {seed} '*) cat > report_{seed}.json <<'END'\n{json.dumps(report(mhz))}\nEND\n;;"
+        for seed, mhz in mhz_by_seed.items()
+    )
     return f"case \"$*\" in --version) echo '(Version nextpnr-0.0)' >&2;;\n{cases}\nesac"
 
 
 def environment(folder, yosys=None, nextpnr=None, ghdl=GHDL):
     """The variables that make implement.py take the stand-ins."""
     folder.mkdir(parents=True, exist_ok=True)
-    bodies = {"GHDL": ghdl, "YOSYS": yosys or yosys_body(), "NEXTPNR_ECP5": nextpnr or nextpnr_body({1: 120.5, 2: 140.25, 3: 131.0})}
+    bodies = {
+        "GHDL": ghdl,
+        "YOSYS": yosys or yosys_body(),
+        "NEXTPNR_ECP5": nextpnr or nextpnr_body({1: 120.5, 2: 140.25, 3: 131.0}),
+    }
     return {variable: str(tool(folder, variable.lower(), body)) for variable, body in bodies.items()}
 
 

@@ -6,10 +6,11 @@ import re
 import xml.etree.ElementTree as xml
 
 import pytest
-from flow.axi import cocotb_runs, design, judge, pool, script, verilated
-from flow.axi.broken import beats_of
-from flow.errors import EXIT_MISSING_TOOL, FlowError
-from flow.tools import configuration
+
+from flow.base.configurations import configuration
+from flow.base.errors import EXIT_MISSING_TOOL, FlowError
+from flow.shell import cocotb_runs, design, judge, pool, script, verilated
+from flow.shell.broken import beats_of
 from flow_commands import call, refused
 
 
@@ -40,10 +41,20 @@ def test_short_run_in_ghdl(ghdl, cocotb, tmp_path):
 
 
 FAULTS = {
-    "a beat changes while it waits": ("stream_fifo", r"\(shows = '0' or out_ready = '1'\)", "true", "changed before it was taken"),
+    "a beat changes while it waits": (
+        "stream_fifo",
+        r"\(shows = '0' or out_ready = '1'\)",
+        "true",
+        "changed before it was taken",
+    ),
     "the shell takes no more beats": ("stream_credit", r"lent_after := lent_after - 1;", "null;", "not taken for ever"),
     "two credits less": ("stereo_axis", r"latency_clocks \+ 4;", "latency_clocks + 2;", "clocks a frame instead of"),
-    "a partial frame is not marked": ("stereo_frames", r"broken\(0\) <= breaks;", "broken(0) <= '0';", "its last beat does not say so"),
+    "a partial frame is not marked": (
+        "stereo_frames",
+        r"broken\(0\) <= breaks;",
+        "broken(0) <= '0';",
+        "its last beat does not say so",
+    ),
 }
 
 
@@ -65,23 +76,33 @@ def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
     parameters = configuration("tiny")
     geometry = pool.Geometry.of(parameters)
     frames = pool.make_pool("tiny", parameters, 2, 1, tmp_path / "pool")
-    simulation = verilated.Verilated("tiny", tmp_path / "model", altered_shell(tmp_path / "rtl", file, pattern, replacement))
+    simulation = verilated.Verilated(
+        "tiny", tmp_path / "model", altered_shell(tmp_path / "rtl", file, pattern, replacement)
+    )
     simulation.build()
     full = script.send([beat for frame in frames for beat in beats_of(frame, geometry)])
     observation = simulation.play([*full, ("drain",)], 1, tmp_path / "full")
     starts = [clock for _, flags, clock in observation.segments[-1] if flags & 1]
-    problems = [f"{b - a} clocks a frame instead of {geometry.groups}" for a, b in zip(starts, starts[1:]) if b - a != geometry.groups]
+    problems = [
+        f"{b - a} clocks a frame instead of {geometry.groups}"
+        for a, b in zip(starts, starts[1:])
+        if b - a != geometry.groups
+    ]
     whole = script.send(beats_of(frames[0], geometry))
     half = whole[: len(whole) // 2]
     # Two frames between the broken ones: they stand in both of the shell's places for a frame.
     steps = [*half, *whole, *whole, *half, *whole, ("rates", 20, 60), *script.mixture(rng, frames, geometry, 10)]
-    problems += judge.judge(steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "mixture"), geometry, frames).problems
+    problems += judge.judge(
+        steps, simulation.play([*steps, ("drain",)], 1, tmp_path / "mixture"), geometry, frames
+    ).problems
     assert any(word in problem for problem in problems), problems[:5]
 
 
 def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
     file, pattern, replacement, word = FAULTS["a beat changes while it waits"]
-    simulation = cocotb_runs.Ghdl("tiny", tmp_path / "work", altered_shell(tmp_path / "rtl", file, pattern, replacement))
+    simulation = cocotb_runs.Ghdl(
+        "tiny", tmp_path / "work", altered_shell(tmp_path / "rtl", file, pattern, replacement)
+    )
     simulation.build()
     results = simulation.run("test_stereo_ip", 1, tmp_path / "out", ["full_speed", "stalls_0_50"])
     assert [(result.name, result.passed) for result in results] == [("full_speed", True), ("stalls_0_50", False)]
@@ -91,18 +112,22 @@ def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
 def test_replay_of_one_chunk(ghdl, verilator, tmp_path):
     """The same seed gives the same stream and the same beats in the same clocks."""
     texts = []
+    options = ["--config", "tiny", "--frames", 60, "--chunk", 1, "--seed", 9, "--simulator", "verilator"]
     for folder in ("a", "b"):
-        process = call("verify_axi.py", "--config", "tiny", "--frames", 60, "--chunk", 1, "--seed", 9, "--simulator", "verilator", "--out", tmp_path / folder)
+        process = call("verify_axi.py", *options, "--out", tmp_path / folder)
         assert process.returncode == 0, process.stdout + process.stderr
         texts.append((tmp_path / folder / "verilator tiny" / "mixture_1" / "observed.txt").read_text())
     assert texts[0] == texts[1]
 
 
-@pytest.mark.parametrize("options, words", [
-    (["--config", "nonsense"], ["unknown configuration"]),
-    (["--frames", "3"], ["needs --config"]),
-    (["--chunk", "1"], ["needs one --config"]),
-    (["--seed", "-1"], ["--seed must be 0 or more"]),
-])
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        (["--config", "nonsense"], ["unknown configuration"]),
+        (["--frames", "3"], ["needs --config"]),
+        (["--chunk", "1"], ["needs one --config"]),
+        (["--seed", "-1"], ["--seed must be 0 or more"]),
+    ],
+)
 def test_bad_options(options, words):
     refused(call("verify_axi.py", *options), 2, *words)

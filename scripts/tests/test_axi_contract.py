@@ -4,14 +4,14 @@
 import random
 
 import pytest
-from flow import registers
-from flow.axi import script
-from flow.axi.broken import CASES, beats_of
-from flow.axi.contract import LAST, RESULT_ERROR, RESULT_LAST, RESULT_START, START, Judge, expect
-from flow.axi.judge import judge
-from flow.axi.pool import Frame, Geometry
-from flow.axi.verilated import Observation, read_observation
-from flow.errors import FlowError
+
+from flow.base.errors import FlowError
+from flow.shell import registers, script
+from flow.shell.broken import CASES, beats_of
+from flow.shell.contract import LAST, RESULT_ERROR, RESULT_LAST, RESULT_START, START, Judge, expect
+from flow.shell.judge import judge
+from flow.shell.pool import Frame, Geometry
+from flow.shell.verilated import Observation, read_observation
 from flow_commands import call
 
 GEOMETRY = Geometry(columns=8, row_groups=4, result_columns=5)
@@ -22,8 +22,15 @@ POOL = [Frame(tuple(range(100 * f, 100 * f + 32)), tuple(range(1000 * f, 1000 * 
 
 def results_of(frame, mark_from=None):
     """The beats of m_axis for a frame, marked from one place on."""
-    return [(data, (RESULT_START if i == 0 else 0) | (RESULT_LAST if i % 5 == 4 else 0) | (RESULT_ERROR if mark_from is not None and i >= mark_from else 0))
-            for i, data in enumerate(frame.results)]
+    return [
+        (
+            data,
+            (RESULT_START if i == 0 else 0)
+            | (RESULT_LAST if i % 5 == 4 else 0)
+            | (RESULT_ERROR if mark_from is not None and i >= mark_from else 0),
+        )
+        for i, data in enumerate(frame.results)
+    ]
 
 
 def problems(beats, results, complete=True):
@@ -48,17 +55,20 @@ def test_broken_frame_passes_with_its_mark():
     assert (verdict.exact_frames, verdict.broken_frames) == (1, 1)
 
 
-@pytest.mark.parametrize("change, word", [
-    (lambda r: r[:-1], "39 beats came out, 40 were due"),
-    (lambda r: r + [(0, 0)], "1 beats more"),
-    (lambda r: [r[1], r[0], *r[2:]], "expected 3e8, got 3e9"),
-    (lambda r: [r[0], r[0], *r[2:]], "start and end of line are 1, expected 0"),
-    (lambda r: r[:20] + [(r[20][0], 0)] + r[21:], "frame 1, beat 0: start and end"),
-    (lambda r: r[:30] + [(r[30][0] ^ 1, r[30][1])] + r[31:], "frame 1, beat 10: expected 7da, got 7db"),
-    (lambda r: r[:39] + [(r[39][0], r[39][1] | RESULT_ERROR)], "frame error in a whole frame"),
-    (lambda r: r[20:] + r[:20], "frame 0, beat 0"),
-    (lambda r: [], "0 beats came out"),
-])
+@pytest.mark.parametrize(
+    "change, word",
+    [
+        (lambda r: r[:-1], "39 beats came out, 40 were due"),
+        (lambda r: r + [(0, 0)], "1 beats more"),
+        (lambda r: [r[1], r[0], *r[2:]], "expected 3e8, got 3e9"),
+        (lambda r: [r[0], r[0], *r[2:]], "start and end of line are 1, expected 0"),
+        (lambda r: r[:20] + [(r[20][0], 0)] + r[21:], "frame 1, beat 0: start and end"),
+        (lambda r: r[:30] + [(r[30][0] ^ 1, r[30][1])] + r[31:], "frame 1, beat 10: expected 7da, got 7db"),
+        (lambda r: r[:39] + [(r[39][0], r[39][1] | RESULT_ERROR)], "frame error in a whole frame"),
+        (lambda r: r[20:] + r[:20], "frame 0, beat 0"),
+        (lambda r: [], "0 beats came out"),
+    ],
+)
 def test_faults_are_named(change, word):
     beats = beats_of(POOL[0], GEOMETRY) + beats_of(POOL[1], GEOMETRY)
     assert any(word in sentence for sentence in problems(beats, change(results_of(POOL[0]) + results_of(POOL[1]))))
@@ -84,18 +94,23 @@ def test_reset_may_cut_results_anywhere():
     assert problems(beats, results_of(POOL[0]) + [(0, 0)], complete=False)
 
 
-@pytest.mark.parametrize("name, errors", [
-    ("early end of line somewhere", {"early_line_end"}),
-    ("no end of a line", {"late_line_end"}),
-    ("half a frame", {"early_start"}),
-    ("no start of frame", {"outside_frame"}),
-    ("a line too many", {"outside_frame"}),
-    ("a beat lost", {"early_line_end"}),
-    ("a beat twice", {"late_line_end"}),
-])
+@pytest.mark.parametrize(
+    "name, errors",
+    [
+        ("early end of line somewhere", {"early_line_end"}),
+        ("no end of a line", {"late_line_end"}),
+        ("half a frame", {"early_start"}),
+        ("no start of frame", {"outside_frame"}),
+        ("a line too many", {"outside_frame"}),
+        ("a beat lost", {"early_line_end"}),
+        ("a beat twice", {"late_line_end"}),
+    ],
+)
 def test_expectation(rng, name, errors):
     good = beats_of(POOL[1], GEOMETRY)
-    expected = expect(beats_of(POOL[0], GEOMETRY) + CASES[name](beats_of(POOL[0], GEOMETRY), rng, GEOMETRY) + good, GEOMETRY)
+    expected = expect(
+        beats_of(POOL[0], GEOMETRY) + CASES[name](beats_of(POOL[0], GEOMETRY), rng, GEOMETRY) + good, GEOMETRY
+    )
     assert expected.errors == errors
     assert expected.frames[-1].whole and tuple(expected.frames[-1].groups) == POOL[1].groups
 
@@ -129,7 +144,9 @@ def test_same_seed_same_steps():
     steps = [script.mixture(random.Random(seed), POOL, GEOMETRY, 20) for seed in (1, 1, 2)]
     assert steps[0] == steps[1] != steps[2]
     assert {step[0] for step in steps[0]} >= {"beat", "idle", "rates"}
-    assert all(flags in (0, START, LAST, START | LAST) for kind, *values in steps[0] if kind == "beat" for flags in values[1:])
+    assert all(
+        flags in (0, START, LAST, START | LAST) for kind, *values in steps[0] if kind == "beat" for flags in values[1:]
+    )
 
 
 def test_registers_follow_from_their_description():

@@ -2,11 +2,20 @@
 """The judge of all simulators: it must not pass what it did not see."""
 
 import pytest
-from flow import checker
-from flow.vectors import Expected, Observed
 
-CONFIGURATION = {"width_px": 6, "height_px": 3, "disparities": 3, "window_px": 3, "output_width_px": 3, "output_height_px": 3, "pixels_per_clock": 1,
-                 "groups_to_first_output": 6 + 3 - 1 + 1 + 1}
+from flow.cosim import checker
+from flow.cosim.vectors import Expected, Observed
+
+CONFIGURATION = {
+    "width_px": 6,
+    "height_px": 3,
+    "disparities": 3,
+    "window_px": 3,
+    "output_width_px": 3,
+    "output_height_px": 3,
+    "pixels_per_clock": 1,
+    "groups_to_first_output": 6 + 3 - 1 + 1 + 1,
+}
 
 
 def expected_frame(frames=1, start=20):
@@ -99,9 +108,15 @@ def test_timing_of_a_single_frame_counts_from_first_in_to_last_out():
 
 
 def test_latency_is_counted_from_the_pair_that_completes_the_window():
-    assert checker.measure(stimulus(1, bubbles_after=5), seen(expected_frame(1, start=25)), CONFIGURATION).latency_clocks == 8
+    measured = checker.measure(stimulus(1, bubbles_after=5), seen(expected_frame(1, start=25)), CONFIGURATION)
+    assert measured.latency_clocks == 8
 
 
 def test_timing_of_no_output():
     timing = checker.measure(stimulus(), [], CONFIGURATION)
-    assert (timing.frames, timing.clocks_per_frame, timing.initiation_interval, timing.latency_clocks) == (0, None, None, None)
+    assert (timing.frames, timing.clocks_per_frame, timing.initiation_interval, timing.latency_clocks) == (
+        0,
+        None,
+        None,
+        None,
+    )

@@ -4,7 +4,8 @@
 import subprocess
 
 import pytest
-from flow.tools import ROOT
+
+from flow.base.tools import ROOT
 
 
 def run(*command):
@@ -15,7 +16,8 @@ def run(*command):
 
 @pytest.mark.parametrize("names", ["tiny;ambrosch2007", "ambrosch2007"])
 def test_chosen_configurations_build_and_pass_their_tests(tmp_path, names):
-    run("cmake", "-S", ROOT, "-B", tmp_path, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={names}")
+    options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={names}"]
+    run("cmake", "-S", ROOT, "-B", tmp_path, *options)
     run("cmake", "--build", tmp_path)
     listed = run(tmp_path / "stereo_hls", "configurations")
     assert [line.partition(":")[0] for line in listed.splitlines()] == sorted(names.split(";"))

@@ -6,8 +6,9 @@ import shutil
 import subprocess
 
 import pytest
-from flow import manifest
-from flow.tools import GENERATED_RTL, ROOT
+
+from flow.base.tools import GENERATED_RTL, ROOT
+from flow.synthesis import manifest
 from flow_commands import call, cosim, refused, scene
 
 
@@ -68,7 +69,18 @@ def test_bad_rows(pair, nothing_written, rows):
     refused(cosim("tiny", pair, nothing_written, f"--rows={rows}"), 2, "row")
 
 
-@pytest.mark.parametrize("option,value", [("--frames", "0"), ("--frames", "many"), ("--stall-percent", "200"), ("--simulator", "modelsim"), ("--wave", "wave.txt"), ("--watchdog", "nan"), ("--watchdog", "-1")])
+@pytest.mark.parametrize(
+    "option,value",
+    [
+        ("--frames", "0"),
+        ("--frames", "many"),
+        ("--stall-percent", "200"),
+        ("--simulator", "modelsim"),
+        ("--wave", "wave.txt"),
+        ("--watchdog", "nan"),
+        ("--watchdog", "-1"),
+    ],
+)
 def test_bad_values(pair, nothing_written, option, value):
     refused(cosim("tiny", pair, nothing_written, option, value), 2, option.strip("-"))
 
@@ -77,7 +89,9 @@ def test_rows_without_any_output_are_refused(pair, nothing_written):
     refused(cosim("tiny", pair, nothing_written, "--rows", "0:1"), 2, "would give no output")
 
 
-@pytest.mark.parametrize("tool,variable,options", [("ghdl", "GHDL", []), ("verilator", "VERILATOR", ["--simulator", "verilator"])])
+@pytest.mark.parametrize(
+    "tool,variable,options", [("ghdl", "GHDL", []), ("verilator", "VERILATOR", ["--simulator", "verilator"])]
+)
 def test_missing_simulator(pair, nothing_written, tmp_path, tool, variable, options):
     rtl = shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "rtl")
     design = rtl / "stereo_core.vhd"
@@ -90,11 +104,18 @@ def test_missing_simulator(pair, nothing_written, tmp_path, tool, variable, opti
 
 
 def test_missing_bambu_says_where_to_get_it():
-    refused(call("synthesize.py", "--config", "tiny", environment={"BAMBU": "/nowhere/bambu"}), 3, "bambu not found", "https://release.bambuhls.eu", "BAMBU")
+    refused(
+        call("synthesize.py", "--config", "tiny", environment={"BAMBU": "/nowhere/bambu"}),
+        3,
+        "bambu not found",
+        "https://release.bambuhls.eu",
+        "BAMBU",
+    )
 
 
 def test_missing_program_says_how_to_build_it(pair):
-    process = call("cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1], environment={"STEREO_HLS": "/nowhere/stereo_hls"})
+    words = ["--config", "tiny", "--left", pair[0], "--right", pair[1]]
+    process = call("cosim.py", *words, environment={"STEREO_HLS": "/nowhere/stereo_hls"})
     refused(process, 3, "stereo_hls not found at /nowhere/stereo_hls", "cmake --build")
 
 
@@ -105,7 +126,12 @@ def test_another_program_in_its_place(pair, tmp_path):
 
 
 def test_no_vhdl_for_this_configuration(pair, nothing_written, tmp_path):
-    refused(cosim("tiny", pair, nothing_written, "--rtl", tmp_path / "empty"), 2, "manifest.json is missing", "synthesize.py")
+    refused(
+        cosim("tiny", pair, nothing_written, "--rtl", tmp_path / "empty"),
+        2,
+        "manifest.json is missing",
+        "synthesize.py",
+    )
 
 
 def damage(rtl, **changes):
@@ -137,15 +163,20 @@ def test_vhdl_edited_by_hand(pair, rtl, nothing_written):
     design.write_text(design.read_text() + "-- edited\n")
     refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd differs from its manifest")
     design.unlink()
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd is named by the manifest but missing")
+    refused(
+        cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd is named by the manifest but missing"
+    )
 
 
 def test_output_folder_that_cannot_be(pair, tmp_path):
     (tmp_path / "file").write_text("")
     refused(cosim("tiny", pair, tmp_path / "file" / "out"), 2, "cannot create")
 
-
-    refused(cosim("tiny", pair, tmp_path / "out", "--wave", tmp_path / "file" / "wave.vcd"), 2, "cannot create the folder of --wave")
+    refused(
+        cosim("tiny", pair, tmp_path / "out", "--wave", tmp_path / "file" / "wave.vcd"),
+        2,
+        "cannot create the folder of --wave",
+    )
     assert not (tmp_path / "out").exists()
     refused(call("build_example.py", "--out", tmp_path / "file"), 2, "file: File exists")
     refused(call("lint.py", "--rtl", tmp_path / "file"), 2, "file/", "Not a directory")
@@ -154,7 +185,12 @@ def test_output_folder_that_cannot_be(pair, tmp_path):
 def test_shell_scripts_refuse_unknown_options():
     refused(call("tidy.sh", "--everything"), 2, "unknown option '--everything'")
     refused(call("tidy.sh", "nowhere.cpp"), 2, "nowhere.cpp: there is no such file")
-    refused(call("tidy.sh", environment={"CLANG_TIDY": "/nowhere/clang-tidy"}), 3, "SKIP: /nowhere/clang-tidy is not installed", "apt-get install")
+    refused(
+        call("tidy.sh", environment={"CLANG_TIDY": "/nowhere/clang-tidy"}),
+        3,
+        "SKIP: /nowhere/clang-tidy is not installed",
+        "apt-get install",
+    )
     refused(call("setup.sh", "--everything"), 2, "unknown option '--everything'")
     refused(call("fuzz.sh", "--everything"), 2, "unknown option '--everything'")
     refused(call("fuzz.sh", "everything"), 2, "unknown target 'everything'", "calibration", "pfm")

@@ -5,12 +5,21 @@ import shutil
 import xml.etree.ElementTree as xml
 
 import pytest
-from flow import quality
+
+from flow.base.configurations import configuration
+from flow.base.tools import GENERATED_RTL
+from flow.pages import quality
 from flow_commands import cosim, random_pair, report, scene
-from flow.tools import GENERATED_RTL, configuration
 
 # Outputs a frame: each is a column of as many rows as enter in a clock.
-OUTPUTS = {"tiny": 24 * 12, "tiny_p2": 24 * 6, "tiny_p4": 24 * 3, "ambrosch2007": 220 * 240, "ambrosch2007_p2": 220 * 120, "ambrosch2007_p4": 220 * 60}
+OUTPUTS = {
+    "tiny": 24 * 12,
+    "tiny_p2": 24 * 6,
+    "tiny_p4": 24 * 3,
+    "ambrosch2007": 220 * 240,
+    "ambrosch2007_p2": 220 * 120,
+    "ambrosch2007_p4": 220 * 60,
+}
 CLOCKS_PER_FRAME = {"ambrosch2007": 77600, "ambrosch2007_p2": 38900, "ambrosch2007_p4": 19700}  # at most
 
 
@@ -45,7 +54,8 @@ def test_tiny_frames_back_to_back_cost_their_pixels_and_no_clock_more(ghdl, pair
 @pytest.mark.parametrize("config,stall_percent", [("tiny", 5), ("tiny", 60), ("tiny_p2", 30), ("tiny_p4", 30)])
 def test_tiny_with_bubbles(request, pairs, tmp_path, simulator, config, stall_percent):
     request.getfixturevalue(simulator)
-    process = cosim(config, pairs[config], tmp_path, "--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator)
+    options = ["--frames", 4, "--stall-percent", stall_percent, "--seed", 5, "--simulator", simulator]
+    process = cosim(config, pairs[config], tmp_path, *options)
     result = passed(process, tmp_path, 4 * OUTPUTS[config])
     assert result["initiation_interval"]["max"] > 1, "bubbles show in the outputs"
 
@@ -60,7 +70,9 @@ def test_tiny_with_ties_extremes_and_noise(ghdl, tmp_path, config, levels, brigh
 @pytest.mark.parametrize("levels", [2, 256])
 def test_ambrosch2007_with_ties_extremes_and_noise(verilator, tmp_path, levels):
     pair = random_pair(tmp_path / "pair", "ambrosch2007", levels)
-    process = cosim("ambrosch2007", pair, tmp_path / "out", "--frames", 2, "--stall-percent", 10, "--simulator", "verilator")
+    process = cosim(
+        "ambrosch2007", pair, tmp_path / "out", "--frames", 2, "--stall-percent", 10, "--simulator", "verilator"
+    )
     passed(process, tmp_path / "out", 2 * OUTPUTS["ambrosch2007"])
 
 
@@ -117,5 +129,7 @@ def test_ghdl_waveform(ghdl, pairs, tmp_path, suffix):
 
 def test_verilator_waveform(verilator, pairs, tmp_path):
     wave = tmp_path / "wave.fst"
-    passed(cosim("tiny", pairs["tiny"], tmp_path, "--wave", wave, "--simulator", "verilator"), tmp_path, OUTPUTS["tiny"])
+    passed(
+        cosim("tiny", pairs["tiny"], tmp_path, "--wave", wave, "--simulator", "verilator"), tmp_path, OUTPUTS["tiny"]
+    )
     assert wave.stat().st_size > 1000

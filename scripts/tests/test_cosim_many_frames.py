@@ -2,6 +2,7 @@
 """Many whole frames with bubbles; minutes."""
 
 import pytest
+
 from flow_commands import cosim, random_pair, report, scene
 
 FRAMES = 10
@@ -12,7 +13,10 @@ FRAMES = 10
 def test_ambrosch2007_frames_with_bubbles(request, tmp_path, simulator, images):
     request.getfixturevalue(simulator)
     folder = tmp_path / "pair"
-    pair = scene(folder, "ambrosch2007", seed=11) if images == "scene" else random_pair(folder, "ambrosch2007", levels=8)
-    process = cosim("ambrosch2007", pair, tmp_path / "out", "--frames", FRAMES, "--stall-percent", 30, "--seed", 3, "--simulator", simulator)
+    pair = (
+        scene(folder, "ambrosch2007", seed=11) if images == "scene" else random_pair(folder, "ambrosch2007", levels=8)
+    )
+    options = ["--frames", FRAMES, "--stall-percent", 30, "--seed", 3, "--simulator", simulator]
+    process = cosim("ambrosch2007", pair, tmp_path / "out", *options)
     assert process.returncode == 0, process.stdout + process.stderr
     assert report(tmp_path / "out")["compared"] == FRAMES * 220 * 240

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulation of every option of the algorithm: model == core (hls_tb/stereo_core_options_test.cpp) == VHDL (here)."""
+"""Co-simulation of every option of the algorithm: model == core (hls_tb/stereo_core_options_test.cpp) == VHDL
+(here)."""
 
 import pytest
-from flow import manifest
-from flow.families import OPTION, SYSTEM, family, keeps_vhdl
-from flow.simulators import to_verilog
-from flow.tools import GENERATED_RTL, configurations
+
+from flow.base.configurations import configurations
+from flow.base.families import OPTION, SYSTEM, family, keeps_vhdl
+from flow.base.ghdl import to_verilog
+from flow.base.tools import GENERATED_RTL
+from flow.synthesis import manifest
 from flow_commands import cosim, random_pair, report, scene
 
 TABLE = configurations()
@@ -55,8 +58,14 @@ def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
 def test_whole_frame_of_a_system(verilator, tmp_path, config):
     if not (GENERATED_RTL / config / "stereo_core.vhd").is_file():
         assert not keeps_vhdl(config)
-        pytest.skip(f"SKIP: the repository does not keep the VHDL of {config}; scripts/synthesize.py --config {config} makes it, with Bambu")
+        pytest.skip(
+            f"SKIP: the repository does not keep the VHDL of {config}; "
+            f"scripts/synthesize.py --config {config} makes it, with Bambu"
+        )
     if manifest.stale_reasons(config, TABLE[config]):
-        pytest.skip(f"SKIP: the VHDL of {config} is of older sources; scripts/synthesize.py --config {config} makes it again, with Bambu")
+        pytest.skip(
+            f"SKIP: the VHDL of {config} is of older sources; "
+            f"scripts/synthesize.py --config {config} makes it again, with Bambu"
+        )
     process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
     passed(process, tmp_path / "out", config, 1)

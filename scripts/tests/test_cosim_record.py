@@ -1,56 +1,82 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of co-simulations that stand beside the VHDL: kept for each simulator, and only as long as the VHDL is the same."""
+"""Results of co-simulations that stand beside the VHDL: kept for each simulator, and only as long as the VHDL is the
+same."""
 
 import json
 import shutil
 
 import pytest
-from flow import cosim_record, manifest, performance, results
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.cosim import record
+from flow.implementation import results
+from flow.pages import performance
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
-REPORT = {"config": "tiny", "simulator": "ghdl", "command": "scripts/cosim.py ...", "passed": True, "expected": 168, "compared": 168, "mismatches": 0,
-          "frames": 1, "clocks": 270, "clocks_per_second": 4321.4}
+REPORT = {
+    "config": "tiny",
+    "simulator": "ghdl",
+    "command": "scripts/cosim.py ...",
+    "passed": True,
+    "expected": 168,
+    "compared": 168,
+    "mismatches": 0,
+    "frames": 1,
+    "clocks": 270,
+    "clocks_per_second": 4321.4,
+}
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
     (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
-    for module in (cosim_record, results, performance.implement):
+    for module in (record, results, manifest):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
     return tmp_path / "tiny"
 
 
 def test_the_last_run_of_each_simulator_is_kept(folder):
     entry = manifest.read(folder)
-    assert cosim_record.read(folder, entry) == {}
-    cosim_record.keep(REPORT)
-    cosim_record.keep(REPORT | {"simulator": "verilator", "expected": 288, "compared": 288})
-    cosim_record.keep(REPORT | {"mismatches": 3, "passed": False})
-    runs = cosim_record.read(folder, entry)
-    assert {name: (run["compared"], run["mismatches"]) for name, run in runs.items()} == {"ghdl": (168, 3), "verilator": (288, 0)}
+    assert record.read(folder, entry) == {}
+    record.keep(REPORT)
+    record.keep(REPORT | {"simulator": "verilator", "expected": 288, "compared": 288})
+    record.keep(REPORT | {"mismatches": 3, "passed": False})
+    runs = record.read(folder, entry)
+    assert {name: (run["compared"], run["mismatches"]) for name, run in runs.items()} == {
+        "ghdl": (168, 3),
+        "verilator": (288, 0),
+    }
     assert "clocks_per_second" not in runs["ghdl"], "times differ from machine to machine"
 
 
 def test_results_of_other_vhdl_do_not_count(folder):
-    cosim_record.keep(REPORT)
+    record.keep(REPORT)
     entry = manifest.read(folder)
-    assert cosim_record.read(folder, entry | {"files": entry["files"] | {"stereo_core.vhd": "0"}}) == {}
+    assert record.read(folder, entry | {"files": entry["files"] | {"stereo_core.vhd": "0"}}) == {}
 
 
-@pytest.mark.parametrize("content", ["", "[]", "{}", '{"format": "stereo-hls cosimulation 2", "runs": {}}',
-                                     json.dumps({"format": cosim_record.FORMAT, "runs": {"ghdl": {"compared": "all"}}})])
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "[]",
+        "{}",
+        '{"format": "stereo-hls cosimulation 2", "runs": {}}',
+        json.dumps({"format": record.FORMAT, "runs": {"ghdl": {"compared": "all"}}}),
+    ],
+)
 def test_damaged_results_are_refused(folder, content):
-    (folder / cosim_record.FILE).write_text(content)
+    (folder / record.FILE).write_text(content)
     with pytest.raises(FlowError, match="damaged .*cosimulation.json"):
-        cosim_record.read(folder, manifest.read(folder))
+        record.read(folder, manifest.read(folder))
 
 
 def test_the_page_shows_them(folder, monkeypatch):
     monkeypatch.setattr(performance, "SYSTEMS", [("ours", "32x12", None, "", "tiny")])
-    cosim_record.keep(REPORT)
+    record.keep(REPORT)
     head, rows = performance.systems()
     shown = dict(zip(head, rows[0]))
     assert (shown["compared in GHDL"], shown["compared in Verilator"]) == ("168 of 168, 0 differ", performance.UNKNOWN)
@@ -58,4 +84,6 @@ def test_the_page_shows_them(folder, monkeypatch):
 
 @pytest.mark.parametrize("options", [["--rtl", GENERATED_RTL / "tiny"], ["--simulator", "original"]])
 def test_only_results_of_the_committed_vhdl_are_recorded(options):
-    refused(call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record")
+    refused(
+        call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record"
+    )

@@ -10,9 +10,10 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+
 from conftest import need
-from flow import manifest
-from flow.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.base.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.synthesis import manifest
 from flow_commands import call, random_pair, refused, report, scene
 
 COSIMS = ("cosim-ghdl", "cosim-verilator")
@@ -23,7 +24,9 @@ def demo(*arguments, environment=None, cwd=ROOT):
     program = Path(find_stereo_hls()).resolve()
     settings = {"STEREO_HLS": str(program), "STEREO_PRESET": program.parent.name, **(environment or {})}
     words = [str(ROOT / "scripts" / "demo.sh"), *map(str, arguments)]
-    return subprocess.run(words, cwd=cwd, capture_output=True, text=True, env={**os.environ, **settings}, stdin=subprocess.DEVNULL)
+    return subprocess.run(
+        words, cwd=cwd, capture_output=True, text=True, env={**os.environ, **settings}, stdin=subprocess.DEVNULL
+    )
 
 
 class Resources(HTMLParser):
@@ -35,7 +38,11 @@ class Resources(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
-        wanted = {name: value for name, value in attributes if name in ("src", "srcset", "href", "data", "poster") and tag != "a"}
+        wanted = {
+            name: value
+            for name, value in attributes
+            if name in ("src", "srcset", "href", "data", "poster") and tag != "a"
+        }
         self.found += wanted.values()
 
 
@@ -92,7 +99,9 @@ def test_demo_ends_with_the_key_facts(tiny_demo):
     process, folder = tiny_demo
     last = process.stdout.splitlines()[-4:]
     assert last[0] == f"Page: {folder}/report.html, picture: {folder}/match/overview.png"
-    assert last[1].startswith("PASS: VHDL against C++ core, tiny: 168 of 168 outputs in ghdl, 576 of 576 outputs in verilator; 0 mismatches")
+    assert last[1].startswith(
+        "PASS: VHDL against C++ core, tiny: 168 of 168 outputs in ghdl, 576 of 576 outputs in verilator; 0 mismatches"
+    )
     assert last[2].startswith("384 clocks a frame, latency 15 clocks, ") and "% bad pixels" in last[2]
     figures = manifest.read(GENERATED_RTL / "tiny")["tool_report"]
     assert last[3] == f"{figures['memory_bits']:,} memory bits, {figures['register_bits']:,} register bits"
@@ -139,15 +148,18 @@ sys.exit(code)
     assert report(tmp_path / "out" / "cosim-ghdl")["mismatches"] == 1
 
 
-@pytest.mark.parametrize("arguments,words", [
-    (["--frobnicate"], ["unknown option '--frobnicate'", "--help"]),
-    (["tiny"], ["unknown option 'tiny'"]),
-    (["--config"], ["--config needs a value"]),
-    (["--out", ""], ["--out needs a value"]),
-    (["--seed", "one"], ["--seed one", "whole number"]),
-    (["--left", "left.png"], ["--left and --right go together"]),
-    (["--left", "no.png", "--right", "no.png"], ["no.png", "no such file"]),
-])
+@pytest.mark.parametrize(
+    "arguments,words",
+    [
+        (["--frobnicate"], ["unknown option '--frobnicate'", "--help"]),
+        (["tiny"], ["unknown option 'tiny'"]),
+        (["--config"], ["--config needs a value"]),
+        (["--out", ""], ["--out needs a value"]),
+        (["--seed", "one"], ["--seed one", "whole number"]),
+        (["--left", "left.png"], ["--left and --right go together"]),
+        (["--left", "no.png", "--right", "no.png"], ["no.png", "no such file"]),
+    ],
+)
 def test_bad_options_of_the_demo(tmp_path, arguments, words):
     refused(demo("--out", tmp_path / "out", *arguments), 2, *words)
     assert not (tmp_path / "out").exists()
@@ -172,11 +184,25 @@ def test_help():
 # --- report.py without any simulator ----------------------------------------------------------------------------------
 
 COSIM = {
-    "config": "tiny", "command": "scripts/cosim.py --config tiny --rows 2:10 --seed 3 --simulator ghdl", "simulator": "ghdl",
-    "rows": "2:10", "stall_percent": 0, "seed": 3, "passed": True, "expected": 1168,
-    "compared": 1168, "mismatches": 0, "first_mismatch": None, "frames": 1, "clocks": 270, "clocks_per_frame": None,
-    "initiation_interval": {"min": 1, "avg": 1.0, "max": 1}, "latency_clocks": 10, "clocks_per_second": 4321.4,
-    "build_seconds": 0.1, "simulation_seconds": 0.1,
+    "config": "tiny",
+    "command": "scripts/cosim.py --config tiny --rows 2:10 --seed 3 --simulator ghdl",
+    "simulator": "ghdl",
+    "rows": "2:10",
+    "stall_percent": 0,
+    "seed": 3,
+    "passed": True,
+    "expected": 1168,
+    "compared": 1168,
+    "mismatches": 0,
+    "first_mismatch": None,
+    "frames": 1,
+    "clocks": 270,
+    "clocks_per_frame": None,
+    "initiation_interval": {"min": 1, "avg": 1.0, "max": 1},
+    "latency_clocks": 10,
+    "clocks_per_second": 4321.4,
+    "build_seconds": 0.1,
+    "simulation_seconds": 0.1,
 }
 
 
@@ -185,11 +211,22 @@ def filled(tmp_path):
     """A demo folder as the demo leaves it, with made-up co-simulations."""
     folder = tmp_path / "demo"
     left, right = scene(folder / "scene", "tiny", seed=3)
+    images = ["--left", left, "--right", right]
+    truth = ["--truth", folder / "scene" / "disparity_right.png", "--visible", folder / "scene" / "visible_right.png"]
     subprocess.run(
-        [find_stereo_hls(), "match", "--config", "tiny", "--left", left, "--right", right, "--out", folder / "match",
-         "--truth", folder / "scene" / "disparity_right.png", "--visible", folder / "scene" / "visible_right.png"],
-        check=True, capture_output=True)
-    whole = {"simulator": "verilator", "command": "scripts/cosim.py --config tiny --frames 2 --seed 3 --simulator verilator", "rows": None, "frames": 2, "clocks_per_frame": 384, "expected": 576, "compared": 576}
+        [find_stereo_hls(), "match", "--config", "tiny", *images, *truth, "--out", folder / "match"],
+        check=True,
+        capture_output=True,
+    )
+    whole = {
+        "simulator": "verilator",
+        "command": "scripts/cosim.py --config tiny --frames 2 --seed 3 --simulator verilator",
+        "rows": None,
+        "frames": 2,
+        "clocks_per_frame": 384,
+        "expected": 576,
+        "compared": 576,
+    }
     for name, changes in zip(COSIMS, ({}, whole)):
         (folder / name).mkdir()
         change(folder / name / "report.json", copy.deepcopy(COSIM), **changes)
@@ -214,8 +251,15 @@ def test_page_of_a_filled_folder(filled, tmp_path):
 
 def test_page_of_a_difference(filled):
     change(filled / COSIMS[0] / "report.json", passed=False, mismatches=2, first_mismatch="clock 9: <surplus> output")
-    change(filled / COSIMS[1] / "report.json", passed=False, compared=0, mismatches=576, clocks_per_frame=None,
-           initiation_interval=None, latency_clocks=None)
+    change(
+        filled / COSIMS[1] / "report.json",
+        passed=False,
+        compared=0,
+        mismatches=576,
+        clocks_per_frame=None,
+        initiation_interval=None,
+        latency_clocks=None,
+    )
     process = call("report.py", "--demo", filled)
     assert process.returncode == 0, process.stderr
     assert process.stdout.splitlines()[1].startswith("FAIL: ") and "578 mismatches" in process.stdout
@@ -239,27 +283,38 @@ def without(path, key):
     path.write_text(json.dumps(content))
 
 
-@pytest.mark.parametrize("name,damage,words", [
-    ("match/match.json", Path.unlink, ["No such file", "demo.sh"]),
-    ("match/match.json", cut, ["damaged", "demo.sh"]),
-    ("match/match.json", lambda path: path.write_text("[]"), ["damaged", "not an object"]),
-    ("match/match.json", lambda path: path.write_bytes(b"\xff\xfe"), ["damaged"]),
-    ("match/match.json", lambda path: without(path, "left"), ["damaged", "no 'left'"]),
-    ("match/match.json", lambda path: change(path, truth=7), ["damaged"]),
-    ("match/match.json", lambda path: change(path, format="stereo-hls match 9"), ["match 9"]),
-    ("match/match.json", lambda path: change(path, config="huge"), ["huge"]),
-    ("match/disparity.png", Path.unlink, ["No such file", "demo.sh"]),
-    ("match/disparity.png", lambda path: path.write_text("no image"), ["damaged", "PNG"]),
-    ("match/disparity.png", cut, ["disparity.png", "not a readable image"]),
-    ("match/match.json", lambda path: change(path, output_width_px=23), ["damaged", "its size is not the one in match.json"]),
-    ("cosim-ghdl/report.json", Path.unlink, ["No such file", "demo.sh"]),
-    ("cosim-ghdl/report.json", cut, ["damaged"]),
-    ("cosim-verilator/report.json", lambda path: without(path, "mismatches"), ["damaged", "no 'mismatches'"]),
-    ("cosim-verilator/report.json", lambda path: change(path, compared="many"), ["damaged", "unusable 'compared'"]),
-    ("cosim-verilator/report.json", lambda path: change(path, compared=True), ["damaged", "unusable 'compared'"]),
-    ("cosim-verilator/report.json", lambda path: change(path, initiation_interval={"min": 1}), ["damaged", "no 'avg'"]),
-    ("cosim-verilator/report.json", lambda path: change(path, config="ambrosch2007"), ["ambrosch2007", "tiny"]),
-])
+@pytest.mark.parametrize(
+    "name,damage,words",
+    [
+        ("match/match.json", Path.unlink, ["No such file", "demo.sh"]),
+        ("match/match.json", cut, ["damaged", "demo.sh"]),
+        ("match/match.json", lambda path: path.write_text("[]"), ["damaged", "not an object"]),
+        ("match/match.json", lambda path: path.write_bytes(b"\xff\xfe"), ["damaged"]),
+        ("match/match.json", lambda path: without(path, "left"), ["damaged", "no 'left'"]),
+        ("match/match.json", lambda path: change(path, truth=7), ["damaged"]),
+        ("match/match.json", lambda path: change(path, format="stereo-hls match 9"), ["match 9"]),
+        ("match/match.json", lambda path: change(path, config="huge"), ["huge"]),
+        ("match/disparity.png", Path.unlink, ["No such file", "demo.sh"]),
+        ("match/disparity.png", lambda path: path.write_text("no image"), ["damaged", "PNG"]),
+        ("match/disparity.png", cut, ["disparity.png", "not a readable image"]),
+        (
+            "match/match.json",
+            lambda path: change(path, output_width_px=23),
+            ["damaged", "its size is not the one in match.json"],
+        ),
+        ("cosim-ghdl/report.json", Path.unlink, ["No such file", "demo.sh"]),
+        ("cosim-ghdl/report.json", cut, ["damaged"]),
+        ("cosim-verilator/report.json", lambda path: without(path, "mismatches"), ["damaged", "no 'mismatches'"]),
+        ("cosim-verilator/report.json", lambda path: change(path, compared="many"), ["damaged", "unusable 'compared'"]),
+        ("cosim-verilator/report.json", lambda path: change(path, compared=True), ["damaged", "unusable 'compared'"]),
+        (
+            "cosim-verilator/report.json",
+            lambda path: change(path, initiation_interval={"min": 1}),
+            ["damaged", "no 'avg'"],
+        ),
+        ("cosim-verilator/report.json", lambda path: change(path, config="ambrosch2007"), ["ambrosch2007", "tiny"]),
+    ],
+)
 def test_bad_input_of_the_report(filled, name, damage, words):
     damage(filled / name)
     before = sorted(filled.rglob("*"))

@@ -4,9 +4,11 @@
 import os
 
 import pytest
-from flow import manifest, nextpnr
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.implementation import nextpnr
+from flow.synthesis import manifest
 from flow_commands import call
 
 

@@ -9,10 +9,13 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from flow import explore, figures, hardware_cost, results
-from flow.families import STUDY, family
-from flow.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
-from flow.tools import GENERATED_RTL, configurations, find_stereo_hls
+
+from flow.base.configurations import configurations
+from flow.base.families import STUDY, family
+from flow.base.tools import GENERATED_RTL, find_stereo_hls
+from flow.implementation import figures, results
+from flow.quality import explore, hardware_cost
+from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
 from flow_commands import call, refused
 
 TABLE = configurations()
@@ -26,9 +29,24 @@ class Known:
         self.targets = {} if luts is None else {"ecp5": {"luts": luts}}
 
 
-LUTS = {"study": 5000, "study_recursive": 4500, "study_w3": 3000, "study_w7": 8000, "study_census": None, "study_xsobel": 5600, "study_texture": 6100,
-        "study_median": 5300, "study_subpixel": 5400, "study_left_right": 6000, "study_ssd": 7000, "study_uniqueness": 5800, "study_left": 4900,
-        "study_p2": 1, "study_cost1": 1, "ambrosch2007": 15000}
+LUTS = {
+    "study": 5000,
+    "study_recursive": 4500,
+    "study_w3": 3000,
+    "study_w7": 8000,
+    "study_census": None,
+    "study_xsobel": 5600,
+    "study_texture": 6100,
+    "study_median": 5300,
+    "study_subpixel": 5400,
+    "study_left_right": 6000,
+    "study_ssd": 7000,
+    "study_uniqueness": 5800,
+    "study_left": 4900,
+    "study_p2": 1,
+    "study_cost1": 1,
+    "ambrosch2007": 15000,
+}
 
 
 def made_up():
@@ -44,14 +62,22 @@ def test_a_configuration_of_the_family_is_measured():
     assert made_up().cost(options()) == hardware_cost.Cost(MEASURED, 4500, ("study_recursive",))
     assert made_up().cost(options(window_px=7)).luts == 8000
     assert made_up().cost(options(left_right_threshold=3)).sources == ("study_left_right",)
-    assert made_up().measured == sorted(name for name, luts in LUTS.items() if luts is not None and name not in ("study_p2", "study_cost1", "ambrosch2007"))
+    assert made_up().measured == sorted(
+        name
+        for name, luts in LUTS.items()
+        if luts is not None and name not in ("study_p2", "study_cost1", "ambrosch2007")
+    )
 
 
 def test_several_options_are_estimated_by_what_each_costs_alone():
     cost = made_up().cost(options(window_px=3, median=True))
-    assert cost == hardware_cost.Cost(ESTIMATE, 4500 + (3000 - 4500) + (5300 - 4500), ("study", "study_w3", "study_median"))
+    assert cost == hardware_cost.Cost(
+        ESTIMATE, 4500 + (3000 - 4500) + (5300 - 4500), ("study", "study_w3", "study_median")
+    )
     texture = made_up().cost(options(prefilter="xsobel", texture_threshold=9, median=True))
-    assert texture.luts == 4500 + (5600 - 4500) + (6100 - 5600) + (5300 - 4500), "the texture check alone, without its prefilter"
+    assert texture.luts == 4500 + (5600 - 4500) + (6100 - 5600) + (5300 - 4500), (
+        "the texture check alone, without its prefilter"
+    )
 
 
 def test_other_disparities_are_in_proportion():
@@ -86,18 +112,30 @@ def test_switches_are_options_of_the_study_family():
 def test_no_core_has_census_with_a_prefilter():
     sweep = explore.Sweep([5], ["sad", "census"], [16], ["xsobel", "texture"])
     found, refused_ones = explore.choices(sweep, Family())
-    assert [choice.title for choice in found] == ["sad 5x5", "sad 5x5 xsobel", "sad 5x5 xsobel texture", "census 5x5"] and refused_ones == 4
+    titles = [choice.title for choice in found]
+    assert titles == ["sad 5x5", "sad 5x5 xsobel", "sad 5x5 xsobel texture", "census 5x5"] and refused_ones == 4
 
 
 def test_front_is_what_no_other_choice_beats(rng):
     for _ in range(200):
-        table = [{"luts": rng.choice([None, *range(1, 9)]), "bad": rng.randrange(8), "disparities": rng.choice([16, 64])} for _ in range(rng.randrange(1, 25))]
+        table = [
+            {
+                "luts": rng.choice([None, *range(1, 9)]),
+                "bad": rng.choice([None, *range(8)]),
+                "disparities": rng.choice([16, 64]),
+            }
+            for _ in range(rng.randrange(1, 25))
+        ]
+        known = [row for row in table if row["luts"] is not None and row["bad"] is not None]
         explore.mark_front(table, "bad")
         for row in table:
-            rivals = [other for other in table if other["disparities"] == row["disparities"] and other["luts"] is not None]
-            beaten = row["luts"] is None or any(
-                (o["luts"] <= row["luts"] and o["bad"] < row["bad"]) or (o["luts"] < row["luts"] and o["bad"] <= row["bad"]) for o in rivals)
-            twins = [o for o in table if (o["luts"], o["bad"], o["disparities"]) == (row["luts"], row["bad"], row["disparities"])]
+            rivals = [other for other in known if other["disparities"] == row["disparities"]]
+            beaten = row not in known or any(
+                (o["luts"] <= row["luts"] and o["bad"] < row["bad"])
+                or (o["luts"] < row["luts"] and o["bad"] <= row["bad"])
+                for o in rivals
+            )
+            twins = [o for o in rivals if (o["luts"], o["bad"]) == (row["luts"], row["bad"])]
             assert not (row["front"] and beaten)
             assert beaten or sum(o["front"] for o in twins) == 1, "of equal ones the first"
 
@@ -110,10 +148,11 @@ def explored(tmp_path_factory):
     """(process, folder) of a small sweep on one scene and, given by its files, on the same scene again."""
     folder = tmp_path_factory.mktemp("explore")
     scene = folder / "pair"
-    subprocess.run([find_stereo_hls(), "scene", "--width", "120", "--height", "80", "--disparities", "16", "--seed", "3", "--out", scene], check=True, capture_output=True)
+    words = "scene --width 120 --height 80 --disparities 16 --seed 3 --out".split()
+    subprocess.run([find_stereo_hls(), *words, scene], check=True, capture_output=True)
     pair = [scene / name for name in ("left.png", "right.png", "disparity_left.png", "disparity_right.png")]
-    process = call("explore.py", "--pair", *pair, "--scenes", 1, "--window", 3, 5, "--cost", "sad", "census", "--switch", "left_right", "--range", 16,
-                   "--out", folder / "out", "--jobs", 2)
+    options = "--scenes 1 --window 3 5 --cost sad census --switch left_right --range 16 --jobs 2".split()
+    process = call("explore.py", "--pair", *pair, *options, "--out", folder / "out")
     assert process.returncode == 0, process.stdout + process.stderr
     return process, folder / "out"
 
@@ -140,7 +179,9 @@ def test_rows_are_what_their_commands_print(explored, tmp_path):
         for line in row["commands"]:
             words = shlex.split(line)
             assert words[0] == explore.PROGRAM
-            subprocess.run([find_stereo_hls(), *words[1:], "--json", tmp_path / "again.json"], check=True, capture_output=True)
+            subprocess.run(
+                [find_stereo_hls(), *words[1:], "--json", tmp_path / "again.json"], check=True, capture_output=True
+            )
             method = json.loads((tmp_path / "again.json").read_text())["methods"][0]
             assert method["parameters"]["window_px"] == row["window"] and method["parameters"]["cost"] == row["cost"]
             assert (method["parameters"]["left_right_threshold"] >= 0) == ("left_right" in row["switches"])
@@ -154,27 +195,38 @@ def test_what_is_measured_is_said(explored):
     choices = {row["title"]: row for row in json.loads((out / "explore.json").read_text())["choices"]}
     measured = Family().measured
     plain = {"study", "study_recursive"} & set(measured)
-    for title, names in (("sad 5x5", plain), ("sad 3x3", {"study_w3", "study_w3_recursive"} & set(measured)), ("sad 5x5 left_right", {"study_left_right"} & set(measured))):
-        assert (choices[title]["luts_are"] == MEASURED) == bool(names) and set(choices[title]["luts_from"]) <= names | {"study"}
+    for title, names in (
+        ("sad 5x5", plain),
+        ("sad 3x3", {"study_w3", "study_w3_recursive"} & set(measured)),
+        ("sad 5x5 left_right", {"study_left_right"} & set(measured)),
+    ):
+        assert (choices[title]["luts_are"] == MEASURED) == bool(names) and set(choices[title]["luts_from"]) <= names | {
+            "study"
+        }
     both = choices["sad 3x3 left_right"]
-    assert both["luts_are"] == (ESTIMATE if plain and "study_w3" in measured and "study_left_right" in measured else ABSENT)
+    assert both["luts_are"] == (
+        ESTIMATE if plain and "study_w3" in measured and "study_left_right" in measured else ABSENT
+    )
     assert all(name in process.stdout for name in measured)
     for word in ("measured:", "estimate:", "absent:", "Worth their LUTs, 16 disparities", "Measured configurations"):
         assert word in process.stdout
-    for title, row in choices.items():
+    for row in choices.values():
         assert row["luts_are"] != ABSENT or (not row["front"] and row["luts_missing"])
 
 
-@pytest.mark.parametrize("arguments,words", [
-    (["--window", 1], ["--window", "2 ... 31"]),
-    (["--range", 300], ["--range", "2 ... 256"]),
-    (["--scenes", -1], ["--scenes"]),
-    (["--scenes", 0], ["no pair"]),
-    (["--jobs", 0], ["--jobs"]),
-    (["--pair", "no.png", "no.png", "-", "-"], ["no.png", "no such file"]),
-    (["--cost", "ncc"], ["invalid choice: 'ncc'"]),
-    (["--cost", "census", "--switch", "colour"], ["invalid choice: 'colour'"]),
-])
+@pytest.mark.parametrize(
+    "arguments,words",
+    [
+        (["--window", 1], ["--window", "2 ... 31"]),
+        (["--range", 300], ["--range", "2 ... 256"]),
+        (["--scenes", -1], ["--scenes"]),
+        (["--scenes", 0], ["no pair"]),
+        (["--jobs", 0], ["--jobs"]),
+        (["--pair", "no.png", "no.png", "-", "-"], ["no.png", "no such file"]),
+        (["--cost", "ncc"], ["invalid choice: 'ncc'"]),
+        (["--cost", "census", "--switch", "colour"], ["invalid choice: 'colour'"]),
+    ],
+)
 def test_bad_options(tmp_path, arguments, words):
     refused(call("explore.py", "--out", tmp_path / "out", *arguments), 2, *words)
     assert not (tmp_path / "out" / "explore.json").exists()
@@ -198,13 +250,21 @@ if sys.argv[1] != "evaluate":
     return {"STEREO_HLS": str(program)}
 
 
-@pytest.mark.parametrize("answer,code,words", [
-    ("print('stereo_hls: the truth is lost', file=sys.stderr); sys.exit(2)", 2, ["the truth is lost"]),
-    ("pathlib.Path(sys.argv[-1]).write_text('{}')", 4, ["something else than 'stereo-hls evaluation 1'"]),
-    ("pathlib.Path(sys.argv[-1]).write_text('{\"format\": \"stereo-hls evaluation 2\", \"methods\": [{\"parameters\": {}, \"masks\": {}}]}')", 4, ["something else"]),
-])
+@pytest.mark.parametrize(
+    "answer,code,words",
+    [
+        ("print('stereo_hls: the truth is lost', file=sys.stderr); sys.exit(2)", 2, ["the truth is lost"]),
+        ("pathlib.Path(sys.argv[-1]).write_text('{}')", 4, ["something else than 'stereo-hls evaluation 1'"]),
+        (
+            "pathlib.Path(sys.argv[-1]).write_text("
+            '\'{"format": "stereo-hls evaluation 2", "methods": [{"parameters": {}, "masks": {}}]}\')',
+            4,
+            ["something else"],
+        ),
+    ],
+)
 def test_an_evaluation_that_fails(tmp_path, answer, code, words):
-    process = call("explore.py", "--scenes", 1, "--window", 3, "--cost", "sad", "--switch", "--range", 16, "--out", tmp_path / "out",
-                   environment=stand_in(tmp_path, answer))
+    options = "--scenes 1 --window 3 --cost sad --switch --range 16 --out".split()
+    process = call("explore.py", *options, tmp_path / "out", environment=stand_in(tmp_path, answer))
     refused(process, code, *words)
     assert not [name for name in os.listdir(tmp_path / "out") if not name.startswith("scene")]

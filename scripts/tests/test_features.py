@@ -4,13 +4,25 @@
 import shutil
 
 import pytest
-from flow import features, implement, manifest, results
-from flow.families import STUDY, family
-from flow.tools import GENERATED_RTL, configurations
+
+from flow.base.configurations import configurations
+from flow.base.families import STUDY, family
+from flow.base.tools import GENERATED_RTL
+from flow.implementation import record, results
+from flow.pages import features
+from flow.synthesis import manifest
 from flow_commands import call
 
-AREA = {"luts": 5000, "ffs": 4000, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {},
-        "fmax_mhz": {"median": 150.0, "best": 150.0, "by_seed": {}}, "critical_path": {"from": "a", "to": "b", "block": "a"}}
+AREA = {
+    "luts": 5000,
+    "ffs": 4000,
+    "memory_bits": 1088,
+    "block_rams": 2,
+    "memory_in_flip_flops": False,
+    "cells": {},
+    "fmax_mhz": {"median": 150.0, "best": 150.0, "by_seed": {}},
+    "critical_path": {"from": "a", "to": "b", "block": "a"},
+}
 
 
 def rows(text):
@@ -34,10 +46,14 @@ def folders(tmp_path, monkeypatch):
         (tmp_path / name).mkdir()
         entry = manifest.read(GENERATED_RTL / "tiny") | {"configuration": name}
         manifest.write(tmp_path / name, entry)
-        implement.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
-    for module in (results, implement):
+        record.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
+    for module in (results, manifest):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
-    monkeypatch.setattr(features, "OPTIONS", [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])])
+    monkeypatch.setattr(
+        features,
+        "OPTIONS",
+        [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])],
+    )
     return tmp_path
 
 

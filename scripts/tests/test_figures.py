@@ -2,9 +2,10 @@
 """What is worked out from a configuration alone."""
 
 import pytest
-from flow import figures
-from flow.tools import configurations
 
+from flow.base.configurations import configurations
+from flow.cosim.job import middle_rows
+from flow.implementation import figures
 
 PAPER_P2 = {"width_px": 320, "height_px": 240, "disparities": 100, "pixels_per_clock": 2, "gap_groups": 0}
 
@@ -28,17 +29,29 @@ def test_speed_follows_from_the_clock():
 
 
 # (pixels a clock, groups to the first output, least rows wanted, result) of an image of 32x12
-@pytest.mark.parametrize("lanes, first, least, rows", [
-    (1, 43, 8, "2:10"), (1, 43, 1, "5:7"), (2, 43, 3, "4:8"), (1, 32, 1, "5:6"), (1, 33, 1, "5:7"), (1, 352, 4, "0:11"), (1, 353, 4, None),
-    (4, 65, 1, None), (1, 43, 12, None), (1, 43, 100, None)])
+@pytest.mark.parametrize(
+    "lanes, first, least, rows",
+    [
+        (1, 43, 8, "2:10"),
+        (1, 43, 1, "5:7"),
+        (2, 43, 3, "4:8"),
+        (1, 32, 1, "5:6"),
+        (1, 33, 1, "5:7"),
+        (1, 352, 4, "0:11"),
+        (1, 353, 4, None),
+        (4, 65, 1, None),
+        (1, 43, 12, None),
+        (1, 43, 100, None),
+    ],
+)
 def test_the_middle_rows_give_an_output(lanes, first, least, rows):
     parameters = {"width_px": 32, "height_px": 12, "pixels_per_clock": lanes, "groups_to_first_output": first}
-    assert figures.middle_rows(parameters, least) == rows
+    assert middle_rows(parameters, least) == rows
 
 
 @pytest.mark.parametrize("name, parameters", configurations().items())
 def test_the_middle_rows_of_every_configuration_give_an_output(name, parameters):
-    rows = figures.middle_rows(parameters, 8)
+    rows = middle_rows(parameters, 8)
     first, end = map(int, rows.split(":")) if rows else (0, parameters["height_px"])
     assert 0 <= first < end <= parameters["height_px"] and (end - first) % parameters["pixels_per_clock"] == 0
     groups = (end - first) // parameters["pixels_per_clock"] * parameters["width_px"]

@@ -2,8 +2,9 @@
 """The memory cell and the stream blocks of the shell are proved for all inputs, and the proofs can fail."""
 
 import pytest
+
 from conftest import need
-from flow import formal
+from flow.shell import formal
 
 
 @pytest.fixture
@@ -17,9 +18,21 @@ def test_proof(ghdl, yosys, abc, tmp_path, proof):
 
 
 FAULTS = {
-    "a column keeps another one's bits": ("line_memory", "to_integer(write_data(high downto low))", "to_integer(write_data(bits - 1 downto 0))"),
-    "a write comes first": ("line_memory", "word <= memory(read_address);", "word <= to_integer(write_data(high downto low)) when read_address = write_address else memory(read_address);"),
-    "a word is lost": ("stream_register", "elsif arrives = '1' then\n        spare_data", "elsif false then\n        spare_data"),
+    "a column keeps another one's bits": (
+        "line_memory",
+        "to_integer(write_data(high downto low))",
+        "to_integer(write_data(bits - 1 downto 0))",
+    ),
+    "a write comes first": (
+        "line_memory",
+        "word <= memory(read_address);",
+        "word <= to_integer(write_data(high downto low)) when read_address = write_address else memory(read_address);",
+    ),
+    "a word is lost": (
+        "stream_register",
+        "elsif arrives = '1' then\n        spare_data",
+        "elsif false then\n        spare_data",
+    ),
     "the order is changed": ("stream_register", "main_data <= spare_data;", "main_data <= in_data;"),
     "a reset leaves a word": ("stream_register", "spare_valid <= '0';", "null;"),
     "a word comes twice": ("stream_fifo", "read_address <= following(read_address);", "null;"),
@@ -27,8 +40,16 @@ FAULTS = {
     "a word stays in the memory": ("stream_fifo", "stored /= 0 and", "stored > 1 and"),
     "a beat changes while it waits": ("stream_fifo", "(shows = '0' or out_ready = '1')", "true"),
     "one credit too many": ("stream_credit", "if lent_after < words then", "if lent_after < words + 1 then"),
-    "a credit is lost": ("stream_credit", "if flight(latency) = '1' and result = '0' then", "if flight(latency) = '1' and result = '1' then"),
-    "a credit comes back early": ("stream_credit", "if flight(latency) = '1' and result = '0' then", "if flight(latency) = '1' then"),
+    "a credit is lost": (
+        "stream_credit",
+        "if flight(latency) = '1' and result = '0' then",
+        "if flight(latency) = '1' and result = '1' then",
+    ),
+    "a credit comes back early": (
+        "stream_credit",
+        "if flight(latency) = '1' and result = '0' then",
+        "if flight(latency) = '1' then",
+    ),
 }
 
 

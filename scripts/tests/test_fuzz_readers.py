@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Any bytes and any damaged file: each reader of the flow gives a result that the code behind it can use, or FlowError with one
-sentence, never another exception. Env STEREO_FUZZ_EXAMPLES: how many files for each reader."""
+"""Any bytes and any damaged file: each reader of the flow gives a result that the code behind it can use, or FlowError
+with one sentence, never another exception. Env STEREO_FUZZ_EXAMPLES: how many files for each reader."""
 
 import copy
 import json
@@ -9,11 +9,15 @@ import tempfile
 from pathlib import Path
 
 import pytest
+
 from conftest import SEED
-from flow import checker, cosim_record, demo_folder, implement, manifest, performance, report, vectors
-from flow.axi import verilated
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.cosim import checker, record as cosim_record, vectors
+from flow.implementation import record as implementation
+from flow.pages import demo_folder, performance, report
+from flow.shell import verilated
+from flow.synthesis import manifest
 
 hypothesis = pytest.importorskip("hypothesis", reason="SKIP: python3-hypothesis is not installed")
 from hypothesis import strategies as st  # noqa: E402
@@ -22,24 +26,74 @@ EXAMPLES = int(os.environ.get("STEREO_FUZZ_EXAMPLES", "50"))
 LONGEST = 3000  # bytes of a damaged file that are looked at
 
 STIMULUS = b"stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
-EXPECTED = b"stereo-hls expected 2 config=tiny pixels=2 disparity_bits=16 outputs=2 latency=10\n50 0 0 0 000f0003 5\n51 1 0 0 001f0000 0\n"
+EXPECTED = (
+    b"stereo-hls expected 2 config=tiny pixels=2 disparity_bits=16 outputs=2 latency=10\n"
+    b"50 0 0 0 000f0003 5\n51 1 0 0 001f0000 0\n"
+)
 OBSERVED = b"50 3 1\n51 X X\n52 1f 4\nend 60\n"
 OBSERVATION = b"r\no 03 1 17\nr\np a promise\no ff 2 90\nend 120\n"
 MATCH = {
-    "format": demo_folder.MATCH_FORMAT, "config": "tiny", "engine": "fast", "left": "left.png", "right": "right.png", "fit": "none", "width_px": 32,
-    "height_px": 12, "disparities": 8, "window_px": 3, "output_width_px": 24, "output_height_px": 12, "output_first_column": 0,
-    "disparity_steps_per_px": 1, "min_disparity": 0, "reference": "right", "milliseconds": 0.25,
-    "truth": {"disparity": "disparity.png", "visible": "visible.png", "tolerance_px": 1, "compared_px": 200, "bad_px": 3},
+    "format": demo_folder.MATCH_FORMAT,
+    "config": "tiny",
+    "engine": "fast",
+    "left": "left.png",
+    "right": "right.png",
+    "fit": "none",
+    "width_px": 32,
+    "height_px": 12,
+    "disparities": 8,
+    "window_px": 3,
+    "output_width_px": 24,
+    "output_height_px": 12,
+    "output_first_column": 0,
+    "disparity_steps_per_px": 1,
+    "min_disparity": 0,
+    "reference": "right",
+    "milliseconds": 0.25,
+    "truth": {
+        "disparity": "disparity.png",
+        "visible": "visible.png",
+        "tolerance_px": 1,
+        "compared_px": 200,
+        "bad_px": 3,
+    },
 }
 COSIM = {
-    "config": "tiny", "command": "scripts/cosim.py", "simulator": "ghdl", "rows": "0:8", "stall_percent": 0, "seed": 1, "passed": True, "expected": 288, "compared": 288,
-    "mismatches": 0, "first_mismatch": None, "frames": 1, "clocks": 500, "clocks_per_frame": 384,
-    "initiation_interval": {"min": 1, "avg": 1.0, "max": 1}, "latency_clocks": 15, "clocks_per_second": 1e4, "build_seconds": 1.5,
+    "config": "tiny",
+    "command": "scripts/cosim.py",
+    "simulator": "ghdl",
+    "rows": "0:8",
+    "stall_percent": 0,
+    "seed": 1,
+    "passed": True,
+    "expected": 288,
+    "compared": 288,
+    "mismatches": 0,
+    "first_mismatch": None,
+    "frames": 1,
+    "clocks": 500,
+    "clocks_per_frame": 384,
+    "initiation_interval": {"min": 1, "avg": 1.0, "max": 1},
+    "latency_clocks": 15,
+    "clocks_per_second": 1e4,
+    "build_seconds": 1.5,
     "simulation_seconds": 0.25,
 }
 COSIM_RECORD = {
-    "format": cosim_record.FORMAT, "configuration": "tiny", "vhdl_digest": {"stereo_core.vhd": "00"},
-    "runs": {"ghdl": {"command": "scripts/cosim.py", "passed": True, "expected": 288, "compared": 288, "mismatches": 0, "frames": 1, "clocks": 500}},
+    "format": cosim_record.FORMAT,
+    "configuration": "tiny",
+    "vhdl_digest": {"stereo_core.vhd": "00"},
+    "runs": {
+        "ghdl": {
+            "command": "scripts/cosim.py",
+            "passed": True,
+            "expected": 288,
+            "compared": 288,
+            "mismatches": 0,
+            "frames": 1,
+            "clocks": 500,
+        }
+    },
 }
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -67,13 +121,13 @@ def use_manifest(folder, _):
     entry = manifest.read(folder)
     assert set(manifest.KEYS) <= set(entry)
     manifest.vhdl_files(folder)
-    implement.is_fresh({"vhdl_digest": {}}, entry)
+    implementation.is_fresh({"vhdl_digest": {}}, entry)
 
 
 def use_implementation(folder, _):
-    result = implement.read(folder)
+    result = implementation.read(folder)
     assert result is not None
-    assert not implement.is_fresh(result, {"files": {"other.vhd": ""}})
+    assert not implementation.is_fresh(result, {"files": {"other.vhd": ""}})
 
 
 def use_cosim_record(folder, _):
@@ -83,7 +137,11 @@ def use_cosim_record(folder, _):
 
 def use_demo(folder, name):
     """A demo folder of which one file is the one under test."""
-    for path, content in (("match/match.json", MATCH), ("cosim-ghdl/report.json", COSIM), ("cosim-verilator/report.json", COSIM)):
+    for path, content in (
+        ("match/match.json", MATCH),
+        ("cosim-ghdl/report.json", COSIM),
+        ("cosim-verilator/report.json", COSIM),
+    ):
         (folder / path).parent.mkdir(exist_ok=True)
         (folder / path).write_text(json.dumps(content))
     (folder / demo_folder.MAP).write_bytes(PNG)
@@ -138,28 +196,57 @@ def refusal(name, content, use):
 
 # --- what is fed ------------------------------------------------------------------------------------------------------
 
-TOKENS = [b"0", b"-1", b"1e999", b"NaN", b"4", b"9" * 5000, b"999999999999", b"null", b"\n", b"\r", b"\x00", b"\xff", b" ", b"=", b"\xc2\xb2", b'"', b"{", b"["]
+TOKENS = [
+    b"0",
+    b"-1",
+    b"1e999",
+    b"NaN",
+    b"4",
+    b"9" * 5000,
+    b"999999999999",
+    b"null",
+    b"\n",
+    b"\r",
+    b"\x00",
+    b"\xff",
+    b" ",
+    b"=",
+    b"\xc2\xb2",
+    b'"',
+    b"{",
+    b"[",
+]
 
 
 def damaged(valid):
     """Bytes of a valid file with some of them cut out, put in or doubled."""
     place = st.integers(0, len(valid))
-    edit = st.tuples(place, st.integers(0, 40), st.one_of(st.binary(max_size=8), st.sampled_from(TOKENS), st.just(None)))
+    edit = st.tuples(
+        place, st.integers(0, 40), st.one_of(st.binary(max_size=8), st.sampled_from(TOKENS), st.just(None))
+    )
 
     def apply(edits):
         data = valid
         for start, length, new in edits:
-            gone = data[start:start + length]
-            data = data[:start] + (2 * gone if new is None else new) + data[start + length:]
+            gone = data[start : start + length]
+            data = data[:start] + (2 * gone if new is None else new) + data[start + length :]
         return data
 
     return st.one_of(st.binary(max_size=LONGEST), st.lists(edit, min_size=1, max_size=4).map(apply))
 
 
 VALUES = st.recursive(
-    st.one_of(st.none(), st.booleans(), st.integers(), st.floats(), st.text(max_size=8),
-              st.sampled_from(["", "a\nb", "/", "../..", "tiny_p2", "x" * 5000, "\ud800", "\x00", 10**400, -1, 0, 1e308])),
-    lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=5), inner, max_size=3)), max_leaves=5)
+    st.one_of(
+        st.none(),
+        st.booleans(),
+        st.integers(),
+        st.floats(),
+        st.text(max_size=8),
+        st.sampled_from(["", "a\nb", "/", "../..", "tiny_p2", "x" * 5000, "\ud800", "\x00", 10**400, -1, 0, 1e308]),
+    ),
+    lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=5), inner, max_size=3)),
+    max_leaves=5,
+)
 
 
 def paths(content):
@@ -195,7 +282,9 @@ def altered(content):
 
 def run_fuzz(strategy, name, use):
     @hypothesis.seed(SEED)
-    @hypothesis.settings(max_examples=EXAMPLES, deadline=None, database=None, suppress_health_check=list(hypothesis.HealthCheck))
+    @hypothesis.settings(
+        max_examples=EXAMPLES, deadline=None, database=None, suppress_health_check=list(hypothesis.HealthCheck)
+    )
     @hypothesis.given(strategy)
     def fuzz(content):
         refusal(name, content, use)

@@ -4,10 +4,12 @@
 import json
 import shutil
 
-import implementation_stand_ins as stand_ins
 import pytest
-from flow import manifest, nextpnr, yosys
-from flow.tools import GENERATED_RTL, ROOT
+
+import implementation_stand_ins as stand_ins
+from flow.base.tools import GENERATED_RTL, ROOT
+from flow.implementation import nextpnr, yosys
+from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, refused
 
 
@@ -46,7 +48,13 @@ def test_ecp5(build, tools):
     assert result["fmax_mhz"] == {"median": 131.0, "best": 140.25, "by_seed": {"1": 120.5, "2": 140.25, "3": 131.0}}
     assert result["critical_path"] == {"from": "raster_left", "to": "slice0cost_column_0", "block": "slice0cost"}
     assert result["tools"] == {"ghdl": "GHDL 2.0.0", "yosys": "Yosys 0.23", "nextpnr": "nextpnr-0.0"}
-    for words in ("384 clocks a frame", "8 disparity evaluations a clock", "131.0 MHz", f"{131e6 / 384:.1f} frames", "slice0cost"):
+    for words in (
+        "384 clocks a frame",
+        "8 disparity evaluations a clock",
+        "131.0 MHz",
+        f"{131e6 / 384:.1f} frames",
+        "slice0cost",
+    ):
         assert words in process.stdout
 
 
@@ -56,7 +64,14 @@ def test_command_lines(build, tools):
     assert script.index("opt -full") < script.index("synth_ecp5") and "write_json netlist.json" in script
     routed = [line for line in stand_ins.calls(tools, "nextpnr_ecp5") if "--seed" in line]
     assert [line.split("--seed ")[1].split()[0] for line in routed] == ["2", "3"]
-    for option in ("--85k", "--package CABGA756", "--speed 8", "--timing-allow-fail", "--lpf-allow-unconstrained", "--json netlist.json"):
+    for option in (
+        "--85k",
+        "--package CABGA756",
+        "--speed 8",
+        "--timing-allow-fail",
+        "--lpf-allow-unconstrained",
+        "--json netlist.json",
+    ):
         assert option in routed[0]
     assert any("--synth" in line for line in stand_ins.calls(tools, "ghdl"))
 
@@ -92,16 +107,19 @@ def test_memory_in_flip_flops_fails(build, tools):
     assert results(build)["targets"]["cyclonev"]["memory_in_flip_flops"] is True
 
 
-@pytest.mark.parametrize("options,words", [
-    (["--config", "nonsense"], ["unknown configuration 'nonsense'", "tiny"]),
-    (["--config", "tiny", "--target", "asic"], ["unknown target 'asic'", "ecp5"]),
-    (["--config", "tiny", "--seeds", "0"], ["--seeds must be 1 or more"]),
-    (["--config", "tiny", "--seeds", "x"], ["invalid int value"]),
-    (["--config", "all", "--rtl", "/nowhere"], ["--rtl takes the VHDL of one --config"]),
-    (["--config", "tiny", "--rtl", "/nowhere/tiny"], ["manifest.json is missing"]),
-    (["--config", "tiny", "--out", "/dev/null"], ["cannot create"]),
-    ([], ["--config"]),
-])
+@pytest.mark.parametrize(
+    "options,words",
+    [
+        (["--config", "nonsense"], ["unknown configuration 'nonsense'", "tiny"]),
+        (["--config", "tiny", "--target", "asic"], ["unknown target 'asic'", "ecp5"]),
+        (["--config", "tiny", "--seeds", "0"], ["--seeds must be 1 or more"]),
+        (["--config", "tiny", "--seeds", "x"], ["invalid int value"]),
+        (["--config", "all", "--rtl", "/nowhere"], ["--rtl takes the VHDL of one --config"]),
+        (["--config", "tiny", "--rtl", "/nowhere/tiny"], ["manifest.json is missing"]),
+        (["--config", "tiny", "--out", "/dev/null"], ["cannot create"]),
+        ([], ["--config"]),
+    ],
+)
 def test_bad_options(build, tools, options, words):
     refused(call("implement.py", *options, environment=stand_ins.environment(tools)), 2, *words)
     assert not (build / "generated_rtl/tiny/implementation.json").exists()
@@ -110,16 +128,21 @@ def test_bad_options(build, tools, options, words):
 @pytest.mark.parametrize("variable,name", [("GHDL", "ghdl"), ("YOSYS", "yosys"), ("NEXTPNR_ECP5", "nextpnr-ecp5")])
 def test_missing_tools(build, tools, variable, name):
     environment = {**stand_ins.environment(tools), variable: "/nowhere/tool"}
-    refused(call("implement.py", "--config", "tiny", "--target", "ecp5", environment=environment), 3, f"{name} not found")
+    refused(
+        call("implement.py", "--config", "tiny", "--target", "ecp5", environment=environment), 3, f"{name} not found"
+    )
 
 
-@pytest.mark.parametrize("stand_in,words", [
-    ({"yosys": 'echo "ERROR: no such cell" >&2; exit 1'}, ["failed with exit code 1", "no such cell"]),
-    ({"yosys": stand_ins.yosys_body(statistics="{")}, ["no usable statistics"]),
-    ({"nextpnr": "echo 'ERROR: unable to place' >&2; exit 255"}, ["unable to place", "nextpnr_1.log"]),
-    ({"nextpnr": "exit 0"}, ["no usable report"]),
-    ({"ghdl": "exit 0"}, ["did not write a module"]),
-])
+@pytest.mark.parametrize(
+    "stand_in,words",
+    [
+        ({"yosys": 'echo "ERROR: no such cell" >&2; exit 1'}, ["failed with exit code 1", "no such cell"]),
+        ({"yosys": stand_ins.yosys_body(statistics="{")}, ["no usable statistics"]),
+        ({"nextpnr": "echo 'ERROR: unable to place' >&2; exit 255"}, ["unable to place", "nextpnr_1.log"]),
+        ({"nextpnr": "exit 0"}, ["no usable report"]),
+        ({"ghdl": "exit 0"}, ["did not write a module"]),
+    ],
+)
 def test_failing_tools(build, tools, stand_in, words):
     refused(run_tiny(tools, "--target", "ecp5", **stand_in), 4, *words)
     assert not (build / "generated_rtl/tiny/implementation.json").exists()
@@ -142,11 +165,42 @@ def test_damaged_results(build, tools):
 
 
 def test_counting():
-    cyclone = yosys.area(yosys.TARGETS["cyclonev"], {"MISTRAL_ALUT2": 1, "MISTRAL_ALUT6": 2, "MISTRAL_ALUT_ARITH": 4, "MISTRAL_NOT": 8, "MISTRAL_MLAB": 16,
-                                                     "MISTRAL_FF": 32, "MISTRAL_M10K": 3, "MISTRAL_IB": 9}, 5, False)
+    cyclone = yosys.area(
+        yosys.TARGETS["cyclonev"],
+        {
+            "MISTRAL_ALUT2": 1,
+            "MISTRAL_ALUT6": 2,
+            "MISTRAL_ALUT_ARITH": 4,
+            "MISTRAL_NOT": 8,
+            "MISTRAL_MLAB": 16,
+            "MISTRAL_FF": 32,
+            "MISTRAL_M10K": 3,
+            "MISTRAL_IB": 9,
+        },
+        5,
+        False,
+    )
     assert (cyclone["aluts"], cyclone["ffs"], cyclone["block_rams"]) == (31, 32, 3)
-    xilinx = yosys.area(yosys.TARGETS["xc7"], {"LUT1": 1, "LUT6": 2, "INV": 4, "RAM32M": 1, "RAM32X1D": 1, "SRL16E": 1, "SRLC32E": 1, "FDRE": 5, "FDSE": 6,
-                                               "RAMB18E1": 1, "RAMB36E1": 1, "CARRY4": 9, "MUXF7": 9}, 5, False)
+    xilinx = yosys.area(
+        yosys.TARGETS["xc7"],
+        {
+            "LUT1": 1,
+            "LUT6": 2,
+            "INV": 4,
+            "RAM32M": 1,
+            "RAM32X1D": 1,
+            "SRL16E": 1,
+            "SRLC32E": 1,
+            "FDRE": 5,
+            "FDSE": 6,
+            "RAMB18E1": 1,
+            "RAMB36E1": 1,
+            "CARRY4": 9,
+            "MUXF7": 9,
+        },
+        5,
+        False,
+    )
     assert (xilinx["luts"], xilinx["ffs"], xilinx["block_rams"]) == (15, 11, 2)
 
 

@@ -2,13 +2,15 @@
 """Area and clock budgets of the committed results, and that yosys still gives those of `tiny`."""
 
 import pytest
+
 from conftest import need
-from flow import figures, implement, manifest, yosys
-from flow.families import PAPER, STUDY, TINY, family
-from flow.tools import GENERATED_RTL
+from flow.base.families import PAPER, STUDY, TINY, family
+from flow.base.tools import GENERATED_RTL
+from flow.implementation import figures, record, yosys
+from flow.synthesis import manifest
 from flow_commands import call
 
-CONFIGURATIONS = [name for name in implement.known_configurations() if implement.read(GENERATED_RTL / name)]
+CONFIGURATIONS = [name for name in manifest.known_configurations() if record.read(GENERATED_RTL / name)]
 PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 16_384  # of the paper's 884,736
 LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
@@ -16,13 +18,13 @@ LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
 
 def committed(name, target=None):
     """The committed result of a configuration, or of one of its targets."""
-    result = implement.read(GENERATED_RTL / name)
+    result = record.read(GENERATED_RTL / name)
     return result["targets"][target] if target else result
 
 
 def test_what_the_repository_says_of_itself_is_implemented():
     """The paper's core and the small ones on each target; each option of the study on the routed one."""
-    for name in implement.known_configurations():
+    for name in manifest.known_configurations():
         if family(name) in (PAPER, TINY):
             assert set(committed(name)["targets"]) == set(yosys.TARGETS), name
         elif family(name) == STUDY:
@@ -33,7 +35,7 @@ def test_what_the_repository_says_of_itself_is_implemented():
 def test_results_are_of_the_committed_vhdl(name):
     result, entry = committed(name), manifest.read(GENERATED_RTL / name)
     assert result["configuration"] == name
-    assert implement.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
+    assert record.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -41,7 +43,9 @@ def test_line_memories_are_ram(name):
     for target, result in committed(name)["targets"].items():
         assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
         declared = manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
-        assert 0.9 * declared <= result["memory_bits"] <= declared, "bits that never change may fall away, as those above a small D"
+        assert 0.9 * declared <= result["memory_bits"] <= declared, (
+            "bits that never change may fall away, as those above a small D"
+        )
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
@@ -81,7 +85,10 @@ def tools(ghdl):
 
 
 def area(result):
-    return {key: result.get(key) for key in ("luts", "aluts", "ffs", "memory_bits", "block_rams", "memory_in_flip_flops", "cells")}
+    return {
+        key: result.get(key)
+        for key in ("luts", "aluts", "ffs", "memory_bits", "block_rams", "memory_in_flip_flops", "cells")
+    }
 
 
 @pytest.mark.parametrize("target", ["cyclonev", "xc7"])
@@ -99,7 +106,7 @@ def check_tiny(folder, target, *options):
     if process.returncode == 3:
         pytest.skip(f"SKIP: {process.stderr.strip()}")
     assert process.returncode == 0, process.stderr
-    result = implement.read(folder / "tiny")["targets"][target]
+    result = record.read(folder / "tiny")["targets"][target]
     if result["tools"] != expected["tools"]:
         pytest.skip(f"SKIP: the committed numbers are of {expected['tools']}, installed are {result['tools']}")
     assert area(result) == area(expected)

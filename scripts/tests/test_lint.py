@@ -4,15 +4,35 @@
 import shutil
 
 import pytest
-from flow.axi import design
+
+from flow.shell import design
 from flow_commands import call
 
 FAULTS = {
-    "unused signal": ("stereo_frames", "architecture rtl of stereo_frames is\n", "architecture rtl of stereo_frames is\n  signal nobody : std_logic;\n", "nobody"),
-    "hidden name": ("stream_credit", "    variable lent_after", "    variable lent : integer;\n    variable lent_after", "lent"),
-    "loop": ("stereo_frames", "current <= oldest xor (result_valid and result_start);", "current <= oldest xor (result_valid and current);", "logic loop"),
-    "latch": ("stereo_frames", "current <= oldest xor (result_valid and result_start);",
-              "process (all) begin if result_start = '1' then current <= oldest xor result_valid; end if; end process;", "latch"),
+    "unused signal": (
+        "stereo_frames",
+        "architecture rtl of stereo_frames is\n",
+        "architecture rtl of stereo_frames is\n  signal nobody : std_logic;\n",
+        "nobody",
+    ),
+    "hidden name": (
+        "stream_credit",
+        "    variable lent_after",
+        "    variable lent : integer;\n    variable lent_after",
+        "lent",
+    ),
+    "loop": (
+        "stereo_frames",
+        "current <= oldest xor (result_valid and result_start);",
+        "current <= oldest xor (result_valid and current);",
+        "logic loop",
+    ),
+    "latch": (
+        "stereo_frames",
+        "current <= oldest xor (result_valid and result_start);",
+        "process (all) begin if result_start = '1' then current <= oldest xor result_valid; end if; end process;",
+        "latch",
+    ),
     "capital letter": ("stream_fifo", "leaves := stored", "LEAVES := stored", "capital"),
     "long line": ("stream_fifo", "-- A queue", "-- " + 130 * "x", "longer"),
     "no licence": ("stream_fifo", "-- SPDX-License-Identifier: Apache-2.0\n", "", "SPDX"),

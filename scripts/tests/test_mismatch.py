@@ -6,20 +6,24 @@ import re
 import shutil
 
 import pytest
+
 from browser import look
 from conftest import need
-from flow import cosim as flow_cosim
-from flow import mismatch, pictures, waveform
-from flow.tools import configuration
-from flow.vcd import Values, cut
+from flow.base.configurations import configuration
+from flow.cosim import frame_maps, job, mismatch, waveform
+from flow.cosim.vcd import Values, cut
+from flow.rendering import pictures
 from flow_commands import altered_rtl, call, cosim, random_pair, report
 
 pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not installed")
-from test_report import fill  # noqa: E402
+from test_report import fill
 
 numpy, Image = pictures.libraries()
 WINNER = (r"(slice2best_index_0_0 <= )slice1best_index_0_0 when", r"\g<1>slice1best_index_0_0 / 2 when")
-LANE = ("leftright_checked_disparity_1 <= leftright_answered_disparity_1", "leftright_checked_disparity_1 <= leftright_answered_disparity_0")
+LANE = (
+    "leftright_checked_disparity_1 <= leftright_answered_disparity_1",
+    "leftright_checked_disparity_1 <= leftright_answered_disparity_0",
+)
 
 
 def failed(folder, config, fault, *options):
@@ -38,14 +42,21 @@ def tiny(tmp_path_factory):
 
 def first(out):
     """(clock, frame, x, y, expected, got) of the sentence in report.json."""
-    words = re.fullmatch(r"clock (\d+), frame (\d+), x (\d+), y (\d+): expected disparity (\d+) .* got disparity (\d+) .*", report(out)["first_mismatch"])
+    words = re.fullmatch(
+        r"clock (\d+), frame (\d+), x (\d+), y (\d+): expected disparity (\d+) .* got disparity (\d+) .*",
+        report(out)["first_mismatch"],
+    )
     return tuple(map(int, words.groups()))
 
 
 def map_of(out, name, frame):
     """{(x, y): disparity} of one frame straight from the vector files, for configurations of one row a clock."""
     wanted = [line.split() for line in (out / "expected.txt").read_text().splitlines()[1:]]
-    words = [w[4] for w in wanted] if name == "expected" else [line.split()[1] for line in (out / "observed.txt").read_text().splitlines()[:-1]]
+    words = (
+        [w[4] for w in wanted]
+        if name == "expected"
+        else [line.split()[1] for line in (out / "observed.txt").read_text().splitlines()[:-1]]
+    )
     return {(int(w[1]), int(w[2])): int(word, 16) for w, word in zip(wanted, words) if int(w[3]) == frame}
 
 
@@ -70,7 +81,8 @@ def test_maps_are_those_of_the_vector_files(tiny):
         for (column, row), value in values.items():
             assert (picture[row, column] == pictures.disparity_colors(value, 0, 7)).all()
     wrong = {place for place in want if want[place] != have[place]}
-    assert {(column, row) for column, row in want if tuple(shown[2][row, column]) == pictures.rgb(mismatch.DIFFERS)} == wrong
+    red = pictures.rgb(frame_maps.DIFFERS)
+    assert {(column, row) for column, row in want if tuple(shown[2][row, column]) == red} == wrong
     assert min(wrong, key=lambda place: place[::-1]) == (x, y)
     assert {picture.mark for picture in failure.pictures} == {(100 * (x + 0.5) / 24, 100 * (y + 0.5) / 12)}
 
@@ -79,7 +91,12 @@ def test_the_pixel_stands_in_the_table(tiny):
     _, out = tiny
     _, _, x, y, expected, got = first(out)
     table = mismatch.read(out, configuration("tiny")).around
-    marked = [(row["y"], column, cell) for row in table["rows"] for column, cell in zip(table["columns"], row["cells"]) if cell["first"]]
+    marked = [
+        (row["y"], column, cell)
+        for row in table["rows"]
+        for column, cell in zip(table["columns"], row["cells"])
+        if cell["first"]
+    ]
     assert marked == [(y, x, {"expected": str(expected), "got": str(got), "wrong": True, "first": True})]
 
 
@@ -87,7 +104,9 @@ def test_wave_shows_the_wrong_value_in_that_clock(tiny):
     _, out = tiny
     clock, *_, got = first(out)
     assert waveform.output(out / "failure.vcd", clock) == (1, got)
-    observed = {int(line.split()[0]): int(line.split()[1], 16) for line in (out / "observed.txt").read_text().splitlines()[:-1]}
+    observed = {
+        int(line.split()[0]): int(line.split()[1], 16) for line in (out / "observed.txt").read_text().splitlines()[:-1]
+    }
     begin, end = report(out)["wave_clocks"]
     assert begin <= clock <= end <= begin + 80
     for number in range(begin, end + 1):
@@ -101,7 +120,10 @@ def test_stimulus_stands_in_the_wave(tiny):
     begin, end = report(out)["wave_clocks"]
     for number in range(begin, end + 1):
         flags, left, right = (int(word, 16) for word in lines[number].split())
-        at = {name: values.at(waveform.CORE + name, waveform.start_ns(number)) for name in ("valid", "start_of_frame", "left_pixel", "right_pixel")}
+        at = {
+            name: values.at(waveform.CORE + name, waveform.start_ns(number))
+            for name in ("valid", "start_of_frame", "left_pixel", "right_pixel")
+        }
         assert at == {"valid": flags & 1, "start_of_frame": flags >> 1, "left_pixel": left, "right_pixel": right}
 
 
@@ -116,7 +138,9 @@ def test_save_file_names_signals_of_the_dump(tiny):
     groups = [line for line in lines if line.startswith("-")]
     assert groups == [group for group in groups[::2] for _ in range(2)], "each group is opened and closed"
     assert groups[::2][:2] == ["-inputs", "-outputs"] and any(group.startswith("-winner's path") for group in groups)
-    assert {"left_pixel[7:0]", "disparity[7:0]", "slice2best_index_0_0[31:0]", "slice1best_cost_0_0[31:0]"} <= set(names)
+    assert {"left_pixel[7:0]", "disparity[7:0]", "slice2best_index_0_0[31:0]", "slice1best_cost_0_0[31:0]"} <= set(
+        names
+    )
     marker = next(line for line in lines if line.startswith("*"))
     assert int(marker.split()[1]) == 20 + 10 * first(out)[0]
 
@@ -140,7 +164,8 @@ def test_lanes_and_rejected_pixels(ghdl, tmp_path):
     assert failure.pictures[0].mark[1] == pytest.approx(100 * (y + 0.5) / 12)
     assert pictures.REJECTED in [color for color, _, _ in failure.pictures[0].legend]
     cells = [cell for row in failure.around["rows"] for cell in row["cells"] if cell["first"]]
-    assert [cell["expected"].strip("()") for cell in cells] == [str(expected)] and [cell["got"].strip("()") for cell in cells] == [str(got)]
+    assert [cell["expected"].strip("()") for cell in cells] == [str(expected)]
+    assert [cell["got"].strip("()") for cell in cells] == [str(got)]
 
 
 def test_missing_and_unknown_outputs(ghdl, tmp_path):
@@ -165,10 +190,13 @@ def test_a_pass_removes_the_page_of_an_earlier_failure(ghdl, tmp_path):
 
 
 def test_a_late_mismatch_has_a_page_without_a_wave(ghdl, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(flow_cosim, "AUTOMATIC_WAVE_CLOCKS", 10)
+    monkeypatch.setattr(job, "AUTOMATIC_WAVE_CLOCKS", 10)
     left, right = random_pair(tmp_path / "pair", "tiny", levels=4)
-    result = flow_cosim.run_job(flow_cosim.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out"))
-    assert result["passed"] is False and "no waveform of the mismatch: it lies beyond clock 10; --wave FILE makes one" in capsys.readouterr().out
+    result = job.run_job(
+        job.Job("tiny", left, right, rtl=altered_rtl(tmp_path / "rtl", "tiny", *WINNER), out=tmp_path / "out")
+    )
+    said = "no waveform of the mismatch: it lies beyond clock 10; --wave FILE makes one"
+    assert result["passed"] is False and said in capsys.readouterr().out
     assert (tmp_path / "out" / "failure.html").is_file() and not (tmp_path / "out" / "failure.vcd").exists()
 
 
@@ -249,7 +277,8 @@ def stretch(tmp_path):
 
 def test_a_stretch_begins_with_all_values(stretch):
     text, values = stretch.read_text(), Values(stretch)
-    assert "textio" not in text and "1 ns" in text and re.findall(r"^#\d+$", text, re.MULTILINE) == ["#10", "#15", "#20"]
+    assert "textio" not in text and "1 ns" in text
+    assert re.findall(r"^#\d+$", text, re.MULTILINE) == ["#10", "#15", "#20"]
     assert values.at("tb.dut.sum", 9) is None
     assert [values.at("tb.clock", time) for time in (10, 15, 20)] == [0, 1, 0]
     assert [values.at("tb.dut.sum", time) for time in (10, 20)] == [7, 7] and values.at("tb.pixel_valid", 10) == 1

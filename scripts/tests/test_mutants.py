@@ -5,7 +5,9 @@ import json
 from itertools import islice
 
 import pytest
-from flow import mutants, mutation
+
+from flow.mutation import judges, mutants, run
+from flow.shell import design
 from flow_commands import call, refused
 
 TEXT = """-- SPDX-License-Identifier: Apache-2.0
@@ -36,10 +38,21 @@ def file(tmp_path):
 
 def test_every_kind_of_fault_is_made(file):
     changes = {mutant.text.strip() for mutant in mutants.mutants_of(file)}
-    for expected in ("count <= count - 1;", "count <= count + 2;", "null;", "row_0 <= row_2;", "if rising_edge(clock) and a /= '1' then",
-                     "if rising_edge(clock) or a = '1' then", "if rising_edge(clock) and a = '0' then", "b <= a when count < 3 else '0';",
-                     "if not (rising_edge(clock) and a = '1') then", "b <= not a when count <= 3 else '0';", "b <= not a when not (count < 3) else '0';",
-                     "b <= not a when count < 4 else '0';", "b <= not a when count < 3 else '1';"):
+    for expected in (
+        "count <= count - 1;",
+        "count <= count + 2;",
+        "null;",
+        "row_0 <= row_2;",
+        "if rising_edge(clock) and a /= '1' then",
+        "if rising_edge(clock) or a = '1' then",
+        "if rising_edge(clock) and a = '0' then",
+        "b <= a when count < 3 else '0';",
+        "if not (rising_edge(clock) and a = '1') then",
+        "b <= not a when count <= 3 else '0';",
+        "b <= not a when not (count < 3) else '0';",
+        "b <= not a when count < 4 else '0';",
+        "b <= not a when count < 3 else '1';",
+    ):
         assert expected in changes, expected
 
 
@@ -79,18 +92,18 @@ class Blind:
 @pytest.fixture
 def blind(monkeypatch, tmp_path):
     for name in ("Core", "Shell"):
-        monkeypatch.setattr(mutation, name, Blind)
-    monkeypatch.setattr(mutation, "compiles", lambda files, folder: True)
-    monkeypatch.setattr(mutation, "refuted", lambda mutant, folder: "")
-    monkeypatch.setattr(mutation, "WORK", tmp_path / "work")
-    monkeypatch.setattr(mutation, "EXPLANATIONS", tmp_path / "equivalent.json")
+        monkeypatch.setattr(run, name, Blind)
+    monkeypatch.setattr(run, "compiles", lambda files, folder: True)
+    monkeypatch.setattr(run, "refuted", lambda mutant, folder: "")
+    monkeypatch.setattr(run, "WORK", tmp_path / "work")
+    monkeypatch.setattr(run, "EXPLANATIONS", tmp_path / "equivalent.json")
     return tmp_path
 
 
 def test_survivors_are_reported(blind):
     (blind / "equivalent.json").write_text("{}")
     said = []
-    score, unexplained = mutation.Run(1, 20, 20, jobs=1, say=said.append).run().report(blind)
+    score, unexplained = run.Run(1, 20, 20, jobs=1, say=said.append).run().report(blind)
     report = json.loads((blind / "report.json").read_text())
     assert report["mutants"] == 40 and report["killed"] + len(report["survivors"]) == 40
     assert report["survivors"] == unexplained and score < 20
@@ -99,25 +112,29 @@ def test_survivors_are_reported(blind):
 
 def test_explained_survivors_do_not_count(blind):
     (blind / "equivalent.json").write_text("{}")
-    _, unexplained = mutation.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
+    _, unexplained = run.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
     (blind / "equivalent.json").write_text(json.dumps(dict.fromkeys(unexplained, "a reason")))
     # The verdicts are remembered: nothing is judged again.
-    score, left = mutation.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
+    score, left = run.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
     assert (score, left) == (100.0, [])
 
 
 def test_an_explanation_of_a_killed_mutant_is_reported(blind):
     (blind / "equivalent.json").write_text("{}")
-    mutation.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
-    killed = next(verdict["key"] for verdict in json.loads((blind / "report.json").read_text())["verdicts"] if verdict["outcome"] == "killed")
+    run.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
+    killed = next(
+        verdict["key"]
+        for verdict in json.loads((blind / "report.json").read_text())["verdicts"]
+        if verdict["outcome"] == "killed"
+    )
     (blind / "equivalent.json").write_text(json.dumps({killed: "wrong"}))
-    _, left = mutation.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
+    _, left = run.Run(1, 20, 20, jobs=1, say=lambda line: None).run().report(blind)
     assert killed in left
 
 
 def test_each_explanation_names_a_mutant_and_gives_a_reason():
-    keys = {mutant.key for path in (*mutation.core_files(), *mutation.design.shell_files()) for mutant in mutants.mutants_of(path)}
-    explanations = json.loads(mutation.EXPLANATIONS.read_text())
+    keys = {mutant.key for path in (*judges.core_files(), *design.shell_files()) for mutant in mutants.mutants_of(path)}
+    explanations = json.loads(run.EXPLANATIONS.read_text())
     assert set(explanations) <= keys, set(explanations) - keys
     assert all(len(reason) > 20 for reason in explanations.values())
 

@@ -4,8 +4,9 @@
 import json
 
 import pytest
-from flow.axi import cocotb_runs
-from flow.errors import FlowError
+
+from flow.base.errors import FlowError
+from flow.shell import cocotb_runs
 from flow_commands import call
 
 

@@ -2,9 +2,11 @@
 """Registers get the names of the C++ members that show the same values, and a netlist that differs is refused."""
 
 import pytest
-from flow.errors import FlowError
-from flow.rtl import netlist, nodes as n
-from flow.rtl.naming import name_registers, read_trace
+
+from flow.base.errors import FlowError
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.cleanup import merge_twins
+from flow.synthesis.lowering.naming import adopt_cpp_values, count_named, name_registers, read_trace
 
 VALID = (1, 0, 1, 1, 0, 1)
 
@@ -36,9 +38,17 @@ def trace(tmp_path, text):
     return read_trace(path)
 
 
+def named(netlist, values):
+    """The passes that compare with the C++; how many registers have found their name."""
+    adopt_cpp_values(netlist, values)
+    merge_twins(netlist)
+    name_registers(netlist, values)
+    return count_named(netlist, values)
+
+
 def test_names_inverses_and_twins(tmp_path):
     netlist = design()
-    assert name_registers(netlist, trace(tmp_path, trace_text())) == 2
+    assert named(netlist, trace(tmp_path, trace_text())) == 2
     assert [r.name for r in netlist.registers] == ["count_value", "tag_valid"]
     tag = netlist.registers[1]
     assert (tag.initial, tag.next) == (0, netlist.inputs["valid"])
@@ -48,17 +58,21 @@ def test_names_inverses_and_twins(tmp_path):
 def test_a_register_without_counterpart_gets_a_plain_name(tmp_path):
     text = trace_text().replace("count_value", "in_count").replace("tag_valid", "in_tag")
     netlist = design()
-    assert name_registers(netlist, trace(tmp_path, text)) == 0
-    assert sorted(r.name for r in netlist.registers) == ["other_0", "other_1"], "the twin is merged, the others are not found"
+    assert named(netlist, trace(tmp_path, text)) == 0
+    assert sorted(r.name for r in netlist.registers) == ["other_0", "other_1"], (
+        "the twin is merged, the others are not found"
+    )
 
 
 def test_a_netlist_that_differs_from_the_core_is_refused(tmp_path):
     with pytest.raises(FlowError, match="clock 3, disparity: expected 8, got 7") as caught:
-        name_registers(design(), trace(tmp_path, trace_text(change=3)))
+        named(design(), trace(tmp_path, trace_text(change=3)))
     assert caught.value.exit_code == 4
 
 
-@pytest.mark.parametrize("damage", [lambda t: "", lambda t: t.replace("trace 1", "trace 2"), lambda t: t.rsplit("\n", 2)[0] + "\n"])
+@pytest.mark.parametrize(
+    "damage", [lambda t: "", lambda t: t.replace("trace 1", "trace 2"), lambda t: t.rsplit("\n", 2)[0] + "\n"]
+)
 def test_damaged_trace_files_are_refused(tmp_path, damage):
     with pytest.raises(FlowError, match="not a complete 'trace' file"):
         trace(tmp_path, damage(trace_text()))

@@ -2,8 +2,11 @@
 """Every simplification of the netlist builders keeps the value: random expressions against plain Python arithmetic."""
 
 import pytest
-from flow.rtl import netlist, nodes as n
-from flow.rtl.evaluate import compile_step
+
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.cleanup import merge_twins, remove_unused
+from flow.synthesis.lowering.evaluate import compile_step
+from flow.synthesis.lowering.memories import join_memory_slices, narrow_memories
 
 WIDTHS = {"a": 8, "b": 8, "c": 3, "s": 1, "t": 1}
 
@@ -23,7 +26,9 @@ def random_expression(rng, depth):
         return n.leaf("input", name, WIDTHS[name]), lambda i: i[name]
     x, fx = random_expression(rng, depth - 1)
     y, fy = random_expression(rng, depth - 1)
-    kind = rng.choice(("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held", "mul"))
+    kind = rng.choice(
+        ("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held", "mul")
+    )
     if kind == "add":
         return n.add(x, y), lambda i: fx(i) + fy(i)
     if kind == "sub":
@@ -55,8 +60,10 @@ def random_expression(rng, depth):
         bit, fbit = random_bit(rng, depth - 1)
         take, ftake = random_bit(rng, depth - 1)
         a, fa = random_bit(rng, depth - 1)
-        return (n.mux(bit, n.bit_or(a, take), n.bit_and(a, n.bit_not(take))),
-                lambda i: (fa(i) | ftake(i)) if fbit(i) else (fa(i) & (1 - ftake(i))))
+        return (
+            n.mux(bit, n.bit_or(a, take), n.bit_and(a, n.bit_not(take))),
+            lambda i: (fa(i) | ftake(i)) if fbit(i) else (fa(i) & (1 - ftake(i))),
+        )
     return random_bit(rng, depth)
 
 
@@ -89,7 +96,9 @@ def test_simplified_expressions_keep_their_value(rng, part):
             got, expected = step(inputs, [], [])["out"], plain(inputs)
             assert got == expected, f"{node!r} of {inputs}: expected {expected}, got {got}"
             assert node.low <= got <= node.high, f"{node!r} of {inputs}: {got} is outside {node.low} ... {node.high}"
-            assert node.ones is None or got & ~node.ones == 0, f"{node!r} of {inputs}: {got} has a bit outside {node.ones:b}"
+            assert node.ones is None or got & ~node.ones == 0, (
+                f"{node!r} of {inputs}: {got} has a bit outside {node.ones:b}"
+            )
 
 
 def test_rebuilding_with_constants_equals_evaluating_with_them(rng):
@@ -109,7 +118,9 @@ def test_known_simplifications():
     assert n.wrap(difference, 16, signed=True) is difference
     assert n.mux(n.bit_not(n.leaf("input", "s", 1)), a, b) is n.mux(n.leaf("input", "s", 1), b, a)
     bits = [n.wrap(n.shift_right(a, k), 1) for k in range(8)]
-    assert n.bit_and(*[bit if 0x5A >> k & 1 else n.bit_not(bit) for k, bit in enumerate(bits)]) is n.equal(a, n.const(0x5A))
+    assert n.bit_and(*[bit if 0x5A >> k & 1 else n.bit_not(bit) for k, bit in enumerate(bits)]) is n.equal(
+        a, n.const(0x5A)
+    )
 
 
 def test_twins_are_merged_and_unused_registers_dropped():
@@ -118,8 +129,8 @@ def test_twins_are_merged_and_unused_registers_dropped():
     after = netlist.Register("after", n.leaf("register", "after", 8), 0, two.value)
     alone = netlist.Register("alone", n.leaf("register", "alone", 8), 1, a)
     design = netlist.Netlist({"a": a}, {"out": n.add(one.value, after.value)}, [one, two, after, alone])
-    netlist.merge_twins(design)
-    netlist.remove_unused(design)
+    merge_twins(design)
+    remove_unused(design)
     assert [r.name for r in design.registers] == ["one", "after"]
     assert after.next is one.value
 
@@ -134,13 +145,29 @@ def test_the_pieces_of_a_word_behind_a_memory_become_one_register():
     """8 bits of memory, of which two registers take 3 and 5 bits; the word starts as they do."""
     address = netlist.Register("address", n.leaf("register", "address", 2))
     data = n.leaf("memory", "m", 8)
-    low, high = netlist.Register("low", n.leaf("register", "low", 3), 5), netlist.Register("high", n.leaf("register", "high", 5), 1)
+    low, high = (
+        netlist.Register("low", n.leaf("register", "low", 3), 5),
+        netlist.Register("high", n.leaf("register", "high", 5), 1),
+    )
     address.next = n.wrap(n.add(address.value, n.const(1)), 2)
     low.next, high.next = n.wrap(data, 3), n.shift_right(data, 3)
     memory = netlist.Memory("m", 4, 8, data, address.value, address.value, n.leaf("input", "a", 8))
-    design = netlist.Netlist({"a": n.leaf("input", "a", 8)}, {"low": low.value, "high": high.value}, [address, low, high], [memory])
-    netlist.join_memory_slices(design)
+    design = netlist.Netlist(
+        {"a": n.leaf("input", "a", 8)}, {"low": low.value, "high": high.value}, [address, low, high], [memory]
+    )
+    join_memory_slices(design)
     assert [r.name for r in design.registers] == ["address", "m_word"]
     word = design.registers[1]
     assert word.next is data and word.initial == 5 | 1 << 3
     assert design.outputs == {"low": n.wrap(word.value, 3), "high": n.shift_right(word.value, 3)}
+
+
+def test_bits_of_a_memory_that_nobody_reads_are_dropped():
+    address = netlist.Register("address", n.leaf("register", "address", 2))
+    data, written = n.leaf("memory", "m", 8), n.leaf("input", "a", 8)
+    word = netlist.Register("word", n.leaf("register", "word", 5), 0, n.wrap(data, 5))
+    memory = netlist.Memory("m", 4, 8, data, address.value, address.value, written)
+    design = netlist.Netlist({"a": written}, {"out": word.value}, [address, word], [memory])
+    narrow_memories(design)
+    assert (memory.width, memory.write_data) == (5, n.wrap(written, 5))
+    assert word.next is memory.data is n.leaf("memory", "m", 5)

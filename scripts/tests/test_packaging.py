@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What others take into their designs: the instantiation, the FuseSoC core, the example and the pictures of the documentation."""
+"""What others take into their designs: the instantiation, the FuseSoC core, the example and the pictures of the
+documentation."""
 
 import os
 import re
@@ -7,11 +8,12 @@ import shutil
 import subprocess
 
 import pytest
-from flow import example, venv
-from flow.axi import cocotb_runs, design
-from flow.errors import FlowError
-from flow.simulators import GHDL_STANDARD
-from flow.tools import ROOT
+
+from flow.base import venv
+from flow.base.errors import FlowError
+from flow.base.ghdl import STANDARD
+from flow.base.tools import ROOT
+from flow.shell import cocotb_runs, design, example
 from flow_commands import call, refused
 
 
@@ -32,10 +34,10 @@ def ghdl_run(ghdl, folder, files, top):
     def step(*words):
         return subprocess.run([ghdl, *map(str, words)], cwd=folder, capture_output=True, text=True)
 
-    analysed = step("-a", GHDL_STANDARD, *files)
+    analysed = step("-a", STANDARD, *files)
     assert analysed.returncode == 0, analysed.stderr
-    assert step("-e", GHDL_STANDARD, top).returncode == 0
-    return step("-r", GHDL_STANDARD, top, "--ieee-asserts=disable-at-0")
+    assert step("-e", STANDARD, top).returncode == 0
+    return step("-r", STANDARD, top, "--ieee-asserts=disable-at-0")
 
 
 @pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4", "ambrosch2007"])
@@ -60,22 +62,40 @@ def test_unknown_configuration():
 
 def test_example_has_the_generics_of_its_core():
     text = (example.FOLDER / "example_top.vhd").read_text()
-    text = text[text.index("entity work.stereo_ip"):]
+    text = text[text.index("entity work.stereo_ip") :]
     constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", (example.FOLDER / "example_top.vhd").read_text()))
-    given = {name: int(constants.get(value, value)) for name, value in re.findall(r"(\w+) => (\w+)", text[:text.index("port map")])}
+    given = {
+        name: int(constants.get(value, value))
+        for name, value in re.findall(r"(\w+) => (\w+)", text[: text.index("port map")])
+    }
     assert given == design.generics("tiny")
 
 
 def test_example_shows_the_right_disparities(ghdl, tmp_path):
-    files = [*design.vhdl_files("tiny"), *(example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top"))]
+    files = [
+        *design.vhdl_files("tiny"),
+        *(example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")),
+    ]
     process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")
     assert process.returncode == 0 and "example passed: LEDs 10000100" in process.stdout + process.stderr
 
 
 def test_example_notices_wrong_disparities(ghdl, tmp_path):
     wrong = tmp_path / "example_top.vhd"
-    wrong.write_text((example.FOLDER / "example_top.vhd").read_text().replace("map_px => output_width_px * height_px, shift => shift", "map_px => output_width_px * height_px, shift => shift + 1"))
-    files = [*design.vhdl_files("tiny"), *(example.FOLDER / f"{name}.vhd" for name in example.SOURCES[:-1]), wrong, example.FOLDER / "tb_example_top.vhd"]
+    wrong.write_text(
+        (example.FOLDER / "example_top.vhd")
+        .read_text()
+        .replace(
+            "map_px => output_width_px * height_px, shift => shift",
+            "map_px => output_width_px * height_px, shift => shift + 1",
+        )
+    )
+    files = [
+        *design.vhdl_files("tiny"),
+        *(example.FOLDER / f"{name}.vhd" for name in example.SOURCES[:-1]),
+        wrong,
+        example.FOLDER / "tb_example_top.vhd",
+    ]
     process = ghdl_run(ghdl, tmp_path, files, "tb_example_top")
     assert process.returncode != 0 and "LEDs show 00000100" in process.stdout + process.stderr
 
@@ -88,8 +108,13 @@ def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
     for name in ("hls", "generated_rtl/tiny", "examples"):
         shutil.copytree(ROOT / name, cores / name)
     shutil.copy(ROOT / "stereo_hls.core", cores)
-    process = subprocess.run([fusesoc / "fusesoc", "--cores-root", tmp_path / "cores", "run", "--target", target, "stereo_hls"], cwd=tmp_path,
-                             capture_output=True, text=True, env=environment)
+    process = subprocess.run(
+        [fusesoc / "fusesoc", "--cores-root", tmp_path / "cores", "run", "--target", target, "stereo_hls"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        env=environment,
+    )
     assert process.returncode == 0 and word in process.stdout + process.stderr, process.stdout + process.stderr
 
 

@@ -5,14 +5,21 @@ import json
 import shutil
 
 import pytest
-from flow import implement, manifest, performance, results
-from flow.errors import FlowError
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.tools import GENERATED_RTL
+from flow.implementation import record as implementation, results
+from flow.pages import performance
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 AREA = {"ffs": 1500, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {}}
-ECP5 = {**AREA, "luts": 1000, "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
-        "critical_path": {"from": "raster_group", "to": "slice0cost_pair_0", "block": "slice0cost"}}
+ECP5 = {
+    **AREA,
+    "luts": 1000,
+    "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
+    "critical_path": {"from": "raster_group", "to": "slice0cost_pair_0", "block": "slice0cost"},
+}
 
 
 @pytest.fixture
@@ -20,7 +27,7 @@ def folders(tmp_path, monkeypatch):
     """A copy of generated_rtl/tiny alone, for performance.py to read."""
     shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
     (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
-    for module in (results, implement):
+    for module in (results, manifest):
         monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
     return tmp_path
 
@@ -28,7 +35,7 @@ def folders(tmp_path, monkeypatch):
 def record(folders, targets):
     entry = manifest.read(folders / "tiny")
     for target, result in targets.items():
-        implement.merge(folders / "tiny", entry, target, result)
+        implementation.merge(folders / "tiny", entry, target, result)
 
 
 def row(text, *words):
@@ -76,10 +83,13 @@ def test_bad_options():
     refused(call("performance.py", "--check", "--config", "tiny"), 2, "not allowed with")
 
 
-@pytest.mark.parametrize("options,words", [
-    (["--rows", "1"], ["--rows must be 2 or more"]),
-    (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
-    (["--config", "nonsense"], ["unknown configuration 'nonsense'"]),
-])
+@pytest.mark.parametrize(
+    "options,words",
+    [
+        (["--rows", "1"], ["--rows must be 2 or more"]),
+        (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
+        (["--config", "nonsense"], ["unknown configuration 'nonsense'"]),
+    ],
+)
 def test_dev_loop_refuses(options, words):
     refused(call("dev_loop.py", *options), 2, *words)

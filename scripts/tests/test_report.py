@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the page of a demo shows: pictures with the right pixels, and a layout that a reader can use, wide and on a phone."""
+"""What the page of a demo shows: pictures with the right pixels, and a layout that a reader can use, wide and on a
+phone."""
 
 import io
 import subprocess
 
 import pytest
+
 from browser import look
 from conftest import need
-from flow import demo_folder, page, performance, pictures, report, results
-from flow.errors import FlowError
-from flow.tools import find_stereo_hls
+from flow.base.errors import FlowError
+from flow.base.tools import find_stereo_hls
+from flow.implementation import results
+from flow.pages import demo_folder, map_pictures, performance, report
+from flow.rendering import page, pictures
 from flow_commands import call, scene
 from test_demo import COSIM, COSIMS, change
 
@@ -21,9 +25,23 @@ def fill(folder, config, truth=True):
     """A demo folder as the demo leaves it, with made-up co-simulations."""
     left, right = scene(folder / "scene", config, seed=3)
     side = "left" if "left" in config else "right"
-    words = ["--truth", folder / "scene" / f"disparity_{side}.png", "--visible", folder / "scene" / f"visible_{side}.png"] if truth else []
-    subprocess.run([find_stereo_hls(), "match", "--config", config, "--left", left, "--right", right, "--out", folder / "match", *words], check=True, capture_output=True)
-    whole = {"simulator": "verilator", "rows": None, "frames": 2, "clocks_per_frame": 384, "expected": 576, "compared": 576}
+    images, words = ["--left", left, "--right", right], []
+    if truth:
+        words += ["--truth", folder / "scene" / f"disparity_{side}.png"]
+        words += ["--visible", folder / "scene" / f"visible_{side}.png"]
+    subprocess.run(
+        [find_stereo_hls(), "match", "--config", config, *images, *words, "--out", folder / "match"],
+        check=True,
+        capture_output=True,
+    )
+    whole = {
+        "simulator": "verilator",
+        "rows": None,
+        "frames": 2,
+        "clocks_per_frame": 384,
+        "expected": 576,
+        "compared": 576,
+    }
     for name, changes in zip(COSIMS, ({}, whole)):
         (folder / name).mkdir()
         change(folder / name / "report.json", dict(COSIM), config=config, **changes)
@@ -46,7 +64,9 @@ def count(picture, color):
 def test_pictures_are_those_of_the_demo(demo):
     drawn, notes = report.draw(demo)
     titles = [picture.title for picture in drawn]
-    assert titles == ["Left image", "Right image", "Disparity", "Error against the ground truth"] + (["Rejections"] if demo.has_checks else [])
+    assert titles == ["Left image", "Right image", "Disparity", "Error against the ground truth"] + (
+        ["Rejections"] if demo.has_checks else []
+    )
     assert notes == [], "and the error picture has as many bad pixels as match.json"
     left = numpy.asarray(Image.open(demo.folder / "scene" / "left.png").convert("RGB"))
     assert (colors(drawn[0]) == left).all()
@@ -70,7 +90,7 @@ def test_disparity_has_the_colours_of_its_scale(demo):
 
 def test_errors_are_counted_as_the_program_counts_them(demo):
     picture = report.draw(demo)[0][3]
-    large = sum(count(picture, color) for _, color in pictures.ERRORS[2:])
+    large = sum(count(picture, color) for _, color in map_pictures.ERRORS[2:])
     assert large == demo.match["truth"]["bad_px"] > 0
     shares = [share for _, _, share in picture.legend if share is not None]
     assert sum(shares) == pytest.approx(100)
@@ -82,13 +102,15 @@ def test_rejections_are_counted(demo):
         return
     picture = report.draw(demo)[0][4]
     rejected = int((pictures.load(demo.folder / demo_folder.VALID) == 0).sum())
-    assert count(picture, pictures.GOOD) + count(picture, pictures.TOO_STRICT) == rejected > 0
+    assert count(picture, map_pictures.GOOD) + count(picture, map_pictures.TOO_STRICT) == rejected > 0
 
 
 def test_a_pair_that_is_gone_leaves_notes(demo):
     gone = {**demo.match, "left": "no/left.png", "truth": {**demo.match["truth"], "visible": "no/visible.png"}}
     drawn, notes = report.draw(demo_folder.Demo(demo.folder, gone, demo.cosims, demo.core, demo.has_checks))
-    assert "Left image" not in [picture.title for picture in drawn] and "Error against the ground truth" not in [picture.title for picture in drawn]
+    assert "Left image" not in [picture.title for picture in drawn] and "Error against the ground truth" not in [
+        picture.title for picture in drawn
+    ]
     assert any("no/left.png" in note for note in notes) and any("no/visible.png" in note for note in notes)
 
 
@@ -114,7 +136,7 @@ def test_every_row_of_the_comparison_stands_on_the_page(tmp_path):
 
 def test_results_of_other_vhdl_are_none(tmp_path, monkeypatch):
     demo = demo_folder.read_demo(fill(tmp_path / "demo", "tiny"))
-    monkeypatch.setattr(results.implement, "is_fresh", lambda result, entry: False)
+    monkeypatch.setattr(results.record, "is_fresh", lambda result, entry: False)
     stale = results.Configuration("tiny", stale_is_none=True)
     assert stale.stale and stale.targets == {}
     with pytest.raises(FlowError, match="of other VHDL"):
@@ -128,7 +150,11 @@ def test_without_matplotlib_one_sentence(tmp_path):
     (tmp_path / "modules").mkdir()
     (tmp_path / "modules" / "matplotlib.py").write_text("raise ImportError('none', name='matplotlib')")
     process = call("report.py", "--demo", folder, environment={"PYTHONPATH": str(tmp_path / "modules")})
-    assert process.returncode == 3 and "apt-get install python3-matplotlib" in process.stderr and process.stderr.count("\n") == 1
+    assert (
+        process.returncode == 3
+        and "apt-get install python3-matplotlib" in process.stderr
+        and process.stderr.count("\n") == 1
+    )
     assert not (folder / "report.html").exists()
 
 
@@ -137,7 +163,12 @@ def pages(tmp_path_factory):
     """A page with checks, a long path in its commands, and one with a failed co-simulation."""
     need("chromium")
     folder = fill(tmp_path_factory.mktemp("a_folder_with_quite_a_long_name_that_does_not_break"), "tiny_all")
-    change(folder / COSIMS[0] / "report.json", passed=False, mismatches=2, first_mismatch="clock 9, frame 0, x 3, y 1: expected disparity 2 flags 4, got disparity 1")
+    change(
+        folder / COSIMS[0] / "report.json",
+        passed=False,
+        mismatches=2,
+        first_mismatch="clock 9, frame 0, x 3, y 1: expected disparity 2 flags 4, got disparity 1",
+    )
     (folder / "report.html").write_text(report.render(demo_folder.read_demo(folder)))
     return folder / "report.html"
 

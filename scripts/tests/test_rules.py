@@ -4,10 +4,11 @@
 import itertools
 
 import pytest
-from flow.errors import FlowError
-from flow.rtl import netlist, nodes as n
-from flow.rtl.evaluate import compile_step
-from flow.rtl.rules import RULES, Cell, apply_rule
+
+from flow.base.errors import FlowError
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.evaluate import compile_step
+from flow.synthesis.lowering.rules import RULES, Cell, apply_rule
 
 
 def resized(value, width, signed):
@@ -55,10 +56,28 @@ CONSTANT_SECOND = {
     "rshift": lambda i, g: i["in1"] >> (i["in2"] % g["PRECISION"]),
     "extract_bit": lambda i, g: i["in1"] >> i["in2"] & 1,
 }
-SAME = ("UUdata_converter_FU", "UIdata_converter_FU", "IUdata_converter_FU", "IIdata_converter_FU", "addr_expr_FU", "ASSIGN_UNSIGNED_FU",
-        "ASSIGN_SIGNED_FU", "view_convert_expr_FU", "ui_view_convert_expr_FU")
-OTHER = {"ui_fshl_expr_FU", "__builtin_abs", "MUX_GATE", "lut_expr_FU", "truth_and_expr_FU", "truth_or_expr_FU", "truth_not_expr_FU",
-         "bit_ior_concat_expr_FU", "ui_bit_ior_concat_expr_FU"}
+SAME = (
+    "UUdata_converter_FU",
+    "UIdata_converter_FU",
+    "IUdata_converter_FU",
+    "IIdata_converter_FU",
+    "addr_expr_FU",
+    "ASSIGN_UNSIGNED_FU",
+    "ASSIGN_SIGNED_FU",
+    "view_convert_expr_FU",
+    "ui_view_convert_expr_FU",
+)
+OTHER = {
+    "ui_fshl_expr_FU",
+    "__builtin_abs",
+    "MUX_GATE",
+    "lut_expr_FU",
+    "truth_and_expr_FU",
+    "truth_or_expr_FU",
+    "truth_not_expr_FU",
+    "bit_ior_concat_expr_FU",
+    "ui_bit_ior_concat_expr_FU",
+}
 
 
 def check(kind, inputs, out_width, signed, expected, generics=None, rng=None):
@@ -90,7 +109,14 @@ def test_operator(name, prefix, signed, rng):
     count, expected = EITHER[name]
     for width, out_width in ((3, 3), (3, 5), (4, 2), (12, 12), (12, 14)):
         inputs = {f"in{k + 1}": (width, signed) for k in range(count)}
-        check(f"{prefix}{name}_expr_FU", inputs, out_width, signed and name not in ("lt", "le", "gt", "ge", "eq", "ne"), expected, rng=rng)
+        check(
+            f"{prefix}{name}_expr_FU",
+            inputs,
+            out_width,
+            signed and name not in ("lt", "le", "gt", "ge", "eq", "ne"),
+            expected,
+            rng=rng,
+        )
 
 
 @pytest.mark.parametrize("prefix,signed", [("", True), ("ui_", False)])
@@ -98,7 +124,14 @@ def test_operator(name, prefix, signed, rng):
 @pytest.mark.parametrize("amount", [0, 1, 3, 7, 11])
 def test_operator_with_constant(name, prefix, signed, amount, rng):
     out = (1, False) if name == "extract_bit" else (10, signed)
-    check(f"{prefix}{name}_expr_FU", {"in1": (8, signed), "in2": amount}, *out, CONSTANT_SECOND[name], {"PRECISION": 8}, rng)
+    check(
+        f"{prefix}{name}_expr_FU",
+        {"in1": (8, signed), "in2": amount},
+        *out,
+        CONSTANT_SECOND[name],
+        {"PRECISION": 8},
+        rng,
+    )
 
 
 @pytest.mark.parametrize("kind", SAME)
@@ -113,7 +146,14 @@ def test_absolute(rng):
 
 
 def test_multiplexer(rng):
-    check("MUX_GATE", {"sel": (1, False), "in1": (4, False), "in2": (4, False)}, 4, False, lambda i, g: i["in1"] if i["sel"] else i["in2"], rng=rng)
+    check(
+        "MUX_GATE",
+        {"sel": (1, False), "in1": (4, False), "in2": (4, False)},
+        4,
+        False,
+        lambda i, g: i["in1"] if i["sel"] else i["in2"],
+        rng=rng,
+    )
 
 
 @pytest.mark.parametrize("inputs", [1, 2, 3, 4])
@@ -126,8 +166,11 @@ def test_look_up_table(inputs, rng):
 
 @pytest.mark.parametrize("name", ["and", "or", "not"])
 def test_truth_operator(name, rng):
-    expected = {"and": lambda i, g: int(bool(i["in1"]) and bool(i["in2"])), "or": lambda i, g: int(bool(i["in1"]) or bool(i["in2"])),
-                "not": lambda i, g: int(not i["in1"])}[name]
+    expected = {
+        "and": lambda i, g: int(bool(i["in1"]) and bool(i["in2"])),
+        "or": lambda i, g: int(bool(i["in1"]) or bool(i["in2"])),
+        "not": lambda i, g: int(not i["in1"]),
+    }[name]
     ports = {"in1": (2, False)} if name == "not" else {"in1": (2, False), "in2": (2, False)}
     check(f"truth_{name}_expr_FU", ports, 1, False, expected, rng=rng)
 
@@ -138,7 +181,15 @@ def test_concatenation(prefix, offset, rng):
     def expected(i, g):
         return (i["in1"] >> offset << offset) | (i["in2"] & ((1 << offset) - 1))
 
-    check(f"{prefix}bit_ior_concat_expr_FU", {"in1": (8, False), "in2": (6, False), "in3": offset}, 8, False, expected, {"OFFSET_PARAMETER": offset}, rng)
+    check(
+        f"{prefix}bit_ior_concat_expr_FU",
+        {"in1": (8, False), "in2": (6, False), "in3": offset},
+        8,
+        False,
+        expected,
+        {"OFFSET_PARAMETER": offset},
+        rng,
+    )
 
 
 @pytest.mark.parametrize("amount", [1, 3, 6, 7])
@@ -146,7 +197,15 @@ def test_funnel_shift(amount, rng):
     def expected(i, g):
         return (i["in1"] << 8 | i["in2"]) << amount >> 8
 
-    check("ui_fshl_expr_FU", {"in1": (6, False), "in2": (8, False), "in3": amount}, 8, False, expected, {"PRECISION": 8}, rng)
+    check(
+        "ui_fshl_expr_FU",
+        {"in1": (6, False), "in2": (8, False), "in3": amount},
+        8,
+        False,
+        expected,
+        {"PRECISION": 8},
+        rng,
+    )
 
 
 def test_every_rule_is_tested():
@@ -161,4 +220,11 @@ def test_unknown_kind_is_named():
 
 def test_a_shift_by_a_signal_is_refused():
     with pytest.raises(FlowError, match="needs a constant on in2"):
-        apply_rule(Cell("lshift_expr_FU", {"PRECISION": "8"}, {"in1": n.leaf("input", "a", 4), "in2": n.leaf("input", "b", 2)}, "s0"))
+        apply_rule(
+            Cell(
+                "lshift_expr_FU",
+                {"PRECISION": "8"},
+                {"in1": n.leaf("input", "a", 4), "in2": n.leaf("input", "b", 2)},
+                "s0",
+            )
+        )

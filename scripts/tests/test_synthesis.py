@@ -2,13 +2,18 @@
 """With Bambu installed: regenerating changes nothing, and the lowered design runs like the tool's own."""
 
 import pytest
+
 from conftest import need
-from flow import manifest, tools
-from flow.families import keeps_vhdl
+from flow.base import tools
+from flow.base.configurations import configurations
+from flow.base.families import keeps_vhdl
+from flow.synthesis import manifest
 from flow_commands import call, cosim, random_pair, report
 
 # The large ones with several pixels a clock take minutes each; they are made by the same steps.
-CONFIGURATIONS = [name for name in sorted(filter(keeps_vhdl, tools.configurations())) if name not in ("ambrosch2007_p2", "ambrosch2007_p4")]
+CONFIGURATIONS = [
+    name for name in sorted(filter(keeps_vhdl, configurations())) if name not in ("ambrosch2007_p2", "ambrosch2007_p4")
+]
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +51,9 @@ def test_the_loop_is_one_state_and_registers_have_their_names(regenerated, name)
     assert figures["registers_named"] >= 0.98 * figures["registers"]
 
 
-@pytest.mark.parametrize("name,options", [("tiny", ["--frames", 2]), ("tiny_p4", ["--frames", 2]), ("ambrosch2007", ["--rows", "0:3"])])
+@pytest.mark.parametrize(
+    "name,options", [("tiny", ["--frames", 2]), ("tiny_p4", ["--frames", 2]), ("ambrosch2007", ["--rows", "0:3"])]
+)
 def test_original_and_lowered_design_agree_with_the_core_clock_by_clock(ghdl, regenerated, tmp_path, name, options):
     pair = random_pair(tmp_path / "pair", name, levels=16)
     for simulator in ("original", "ghdl"):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/tutorial.md as a reader works through it: in a copy of the repository, every edit is applied and every command run, in the
-order of the page, and each line that the page shows must be printed.
+"""docs/tutorial.md as a reader works through it: in a copy of the repository, every edit is applied and every command
+run, in the order of the page, and each line that the page shows must be printed.
 
-The page's blocks: `diff` an edit; `sh` commands, after which may stand the tools that they need; `text` the beginnings of lines
-that the commands above it print."""
+The page's blocks: `diff` an edit; `sh` commands, after which may stand the tools that they need; `text` the beginnings
+of lines that the commands above it print."""
 
 import os
 import re
@@ -12,7 +12,8 @@ import subprocess
 from dataclasses import dataclass
 
 import pytest
-from flow.tools import ROOT
+
+from flow.base.tools import ROOT
 
 PAGE = ROOT / "docs" / "tutorial.md"
 VARIABLES = {"bambu": "BAMBU", "ghdl": "GHDL", "yosys": "YOSYS"}
@@ -29,7 +30,9 @@ class Block:
 def blocks_of(text):
     found = []
     for match in re.finditer(r"^```(\w+)((?: \w+)*)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
-        found.append(Block(text.count("\n", 0, match.start()) + 1, match.group(1), tuple(match.group(2).split()), match.group(3)))
+        found.append(
+            Block(text.count("\n", 0, match.start()) + 1, match.group(1), tuple(match.group(2).split()), match.group(3))
+        )
     return found
 
 
@@ -65,11 +68,20 @@ class Reader:
     def follow(self, block):
         """The finished process of a block."""
         if block.kind == "diff":
-            return subprocess.run(["git", "apply", "-"], input=block.text, cwd=self.folder, capture_output=True, text=True)
+            return subprocess.run(
+                ["git", "apply", "-"], input=block.text, cwd=self.folder, capture_output=True, text=True
+            )
         script = "\n".join(["set -euo pipefail", *self.exports, block.text])
         self.exports += [line for line in block.text.splitlines() if line.startswith("export ")]
         environment = {name: value for name, value in os.environ.items() if name != "STEREO_HLS"}
-        return subprocess.run(["bash", "-c", script], cwd=self.folder, capture_output=True, text=True, env=environment, stdin=subprocess.DEVNULL)
+        return subprocess.run(
+            ["bash", "-c", script],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+        )
 
 
 def complaint(process, lines):
@@ -86,7 +98,8 @@ STEPS = steps_of(blocks_of(PAGE.read_text()))
 
 @pytest.fixture(scope="module")
 def followed(tmp_path_factory):
-    """{line of a block: what was wrong with it, or None}; a block whose tool is missing and all after a wrong one are not there."""
+    """{line of a block: what was wrong with it, or None}; a block whose tool is missing and all after a wrong one are
+    not there."""
     if not (ROOT / ".git").exists() or shutil.which("git") is None:
         pytest.skip("SKIP: this is no git checkout, which names the files to copy")
     reader, results = Reader(tmp_path_factory.mktemp("tutorial")), {}
@@ -117,13 +130,16 @@ def test_the_page_has_every_kind_of_step():
         assert any(tool in block.tools for block, _ in STEPS)
 
 
-@pytest.mark.parametrize("page,words", [
-    ("```diff\n--- a/hls/none.hpp\n+++ b/hls/none.hpp\n@@ -1 +1 @@\n-a\n+b\n```\n", "exit code"),
-    ("```sh\nfalse | true\n```\n", "exit code 1"),
-    ("```sh\necho 12 tests\n```\n\n```text\n13 tests\n```\n", "did not print ['13 tests']"),
-    ("```sh\nexport NUMBER=4\n```\n\n```sh\necho $NUMBER\n```\n\n```text\n5\n```\n", "but:\n4"),
-    ("```sh\nexport NUMBER=4\n```\n\n```sh\necho $NUMBER\n```\n\n```text\n4\n```\n", None),
-])
+@pytest.mark.parametrize(
+    "page,words",
+    [
+        ("```diff\n--- a/hls/none.hpp\n+++ b/hls/none.hpp\n@@ -1 +1 @@\n-a\n+b\n```\n", "exit code"),
+        ("```sh\nfalse | true\n```\n", "exit code 1"),
+        ("```sh\necho 12 tests\n```\n\n```text\n13 tests\n```\n", "did not print ['13 tests']"),
+        ("```sh\nexport NUMBER=4\n```\n\n```sh\necho $NUMBER\n```\n\n```text\n5\n```\n", "but:\n4"),
+        ("```sh\nexport NUMBER=4\n```\n\n```sh\necho $NUMBER\n```\n\n```text\n4\n```\n", None),
+    ],
+)
 def test_a_wrong_step_is_noticed(tmp_path, page, words):
     reader = Reader(tmp_path)
     found = [complaint(reader.follow(block), lines) for block, lines in steps_of(blocks_of(page))][-1]

@@ -2,11 +2,14 @@
 """Damaged vector files are refused with the file, the line and the reason."""
 
 import pytest
-from flow import vectors
-from flow.errors import FlowError
+
+from flow.base.errors import FlowError
+from flow.cosim import vectors
 
 STIMULUS = "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
-EXPECTED = "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=2 latency=10\n50 0 0 0 03 1\n51 1 0 0 1f 0\n"
+EXPECTED = (
+    "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=2 latency=10\n50 0 0 0 03 1\n51 1 0 0 1f 0\n"
+)
 
 
 def written(tmp_path, text):
@@ -20,46 +23,62 @@ def test_good_files_are_read(tmp_path):
     outputs, latency = vectors.read_expected(written(tmp_path, EXPECTED))
     assert outputs == [vectors.Expected(50, 0, 0, 0, 3, 1), vectors.Expected(51, 1, 0, 0, 31, 0)]
     assert latency == 10
-    wide = STIMULUS.replace("pixels=1", "pixels=2").replace("01 ff", "0102 ff00").replace("00 00", "0000 0000").replace("a0 0b", "a0a1 0b0c")
+    wide = (
+        STIMULUS.replace("pixels=1", "pixels=2")
+        .replace("01 ff", "0102 ff00")
+        .replace("00 00", "0000 0000")
+        .replace("a0 0b", "a0a1 0b0c")
+    )
     assert vectors.read_stimulus(written(tmp_path, wide)) == [(True, True), (False, False), (True, False)]
     assert vectors.read_observed(written(tmp_path, "50 3 1\n51 X X\nend 60\n")) == (
-        [vectors.Observed(50, 3, 1), vectors.Observed(51, "X", "X")], 60)
+        [vectors.Observed(50, 3, 1), vectors.Observed(51, "X", "X")],
+        60,
+    )
 
 
-@pytest.mark.parametrize("text,reason", [
-    ("", "line 1: not a 'stimulus'"),
-    (EXPECTED, "line 1: not a 'stimulus'"),
-    (STIMULUS.replace("stimulus 1", "stimulus 2"), "line 1: not a 'stimulus'"),
-    (STIMULUS.replace("clocks=3", "clocks=4"), "promises 4 lines, but 3 follow"),
-    (STIMULUS.replace("clocks=3", "clocks=many"), "no number clocks="),
-    (STIMULUS.replace("pixels=1 ", ""), "pixels= must be 1, 2 or 4"),
-    (STIMULUS.replace("pixels=1", "pixels=2"), "line 2: '3 01 ff' is not 'F LEFT RIGHT' with 4 digits"),
-    (STIMULUS.replace("a0", "g0"), "line 4: '1 g0 0b'"),
-    (STIMULUS.replace("3 01", "4 01"), "line 2: '4 01 ff'"),
-])
+@pytest.mark.parametrize(
+    "text,reason",
+    [
+        ("", "line 1: not a 'stimulus'"),
+        (EXPECTED, "line 1: not a 'stimulus'"),
+        (STIMULUS.replace("stimulus 1", "stimulus 2"), "line 1: not a 'stimulus'"),
+        (STIMULUS.replace("clocks=3", "clocks=4"), "promises 4 lines, but 3 follow"),
+        (STIMULUS.replace("clocks=3", "clocks=many"), "no number clocks="),
+        (STIMULUS.replace("pixels=1 ", ""), "pixels= must be 1, 2 or 4"),
+        (STIMULUS.replace("pixels=1", "pixels=2"), "line 2: '3 01 ff' is not 'F LEFT RIGHT' with 4 digits"),
+        (STIMULUS.replace("a0", "g0"), "line 4: '1 g0 0b'"),
+        (STIMULUS.replace("3 01", "4 01"), "line 2: '4 01 ff'"),
+    ],
+)
 def test_damaged_stimulus(tmp_path, text, reason):
     with pytest.raises(FlowError, match=reason) as caught:
         vectors.read_stimulus(written(tmp_path, text))
     assert caught.value.exit_code == 2
 
 
-@pytest.mark.parametrize("text,reason", [
-    (STIMULUS, "line 1: not a 'expected'"),
-    (EXPECTED.replace("outputs=2", "outputs=1"), "promises 1 lines, but 2 follow"),
-    (EXPECTED.replace("latency=10", "latency=ten"), "no number latency="),
-    (EXPECTED.replace("51 1 0 0 1f 0", "51 1 0 0 1f"), "line 3: '51 1 0 0 1f'"),
-    (EXPECTED.replace("51", "-51"), "line 3: '-51 1"),
-])
+@pytest.mark.parametrize(
+    "text,reason",
+    [
+        (STIMULUS, "line 1: not a 'expected'"),
+        (EXPECTED.replace("outputs=2", "outputs=1"), "promises 1 lines, but 2 follow"),
+        (EXPECTED.replace("latency=10", "latency=ten"), "no number latency="),
+        (EXPECTED.replace("51 1 0 0 1f 0", "51 1 0 0 1f"), "line 3: '51 1 0 0 1f'"),
+        (EXPECTED.replace("51", "-51"), "line 3: '-51 1"),
+    ],
+)
 def test_damaged_expectation(tmp_path, text, reason):
     with pytest.raises(FlowError, match=reason):
         vectors.read_expected(written(tmp_path, text))
 
 
-@pytest.mark.parametrize("text,reason", [
-    ("", "did not finish"),
-    ("50 3 1\n51 4 0\n", "did not finish"),
-    ("50 3\nend 60\n", "line 1: '50 3'"),
-])
+@pytest.mark.parametrize(
+    "text,reason",
+    [
+        ("", "did not finish"),
+        ("50 3 1\n51 4 0\n", "did not finish"),
+        ("50 3\nend 60\n", "line 1: '50 3'"),
+    ],
+)
 def test_simulation_that_broke_off(tmp_path, text, reason):
     with pytest.raises(FlowError, match=reason) as caught:
         vectors.read_observed(written(tmp_path, text))

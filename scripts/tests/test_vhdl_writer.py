@@ -4,15 +4,18 @@
 import re
 
 import pytest
-from flow import vectors
-from flow.errors import FlowError
-from flow.rtl import netlist, nodes as n
-from flow.rtl.evaluate import compile_step, initial_state
-from flow.rtl.ranges import narrow_registers
-from flow.rtl.reset import control_registers, split_hold
-from flow.rtl.vhdl_writer import VhdlWriter
-from flow.simulators import Ghdl, to_verilog
-from flow.tools import GENERATED_RTL
+
+from flow.base.errors import FlowError
+from flow.base.ghdl import to_verilog
+from flow.base.tools import GENERATED_RTL
+from flow.cosim import vectors
+from flow.cosim.simulators import Ghdl
+from flow.synthesis.lowering import expressions as n, netlist
+from flow.synthesis.lowering.cleanup import remove_unused
+from flow.synthesis.lowering.evaluate import compile_step, initial_state
+from flow.synthesis.lowering.ranges import narrow_registers
+from flow.synthesis.lowering.reset import control_registers, split_hold
+from flow.synthesis.lowering.vhdl_writer import VhdlWriter
 
 INPUTS = {"left_pixel": 8, "right_pixel": 8, "start_of_frame": 1, "valid": 1}
 CLOCKS = 300
@@ -23,16 +26,27 @@ def random_netlist(rng, registers=40):
     design = netlist.Netlist({name: n.leaf("input", name, w) for name, w in INPUTS.items()})
     for k in range(registers):
         width = rng.choice((1, 1, 4, 8, 8, 12))
-        design.registers.append(netlist.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width)))
-    words = [r.value for r in design.registers if not r.value.is_bit] + [design.inputs["left_pixel"], design.inputs["right_pixel"]]
-    bits = [r.value for r in design.registers if r.value.is_bit] + [design.inputs["start_of_frame"], design.inputs["valid"]]
+        design.registers.append(
+            netlist.Register(f"block{k // 10}_r{k}", n.leaf("register", f"block{k // 10}_r{k}", width))
+        )
+    words = [r.value for r in design.registers if not r.value.is_bit] + [
+        design.inputs["left_pixel"],
+        design.inputs["right_pixel"],
+    ]
+    bits = [r.value for r in design.registers if r.value.is_bit] + [
+        design.inputs["start_of_frame"],
+        design.inputs["valid"],
+    ]
     for register in design.registers:
         make = random_bit if register.value.is_bit else random_word
         value = n.wrap(make(rng, words, bits, 3), register.value.width)
         register.next = n.mux(rng.choice(bits), value, register.value) if rng.random() < 0.3 else value
     design.outputs = {
-        "disparity": n.wrap(n.add(*[r.value for r in design.registers]), 8), "disparity_valid": n.const(1), "pixel_valid": bits[0],
-        "disparity_start_of_frame": n.bit_or(*[b for b in bits[: len(bits) // 2]]), "disparity_end_of_line": n.bit_and(bits[0], n.bit_not(n.less(words[0], words[1]))),
+        "disparity": n.wrap(n.add(*[r.value for r in design.registers]), 8),
+        "disparity_valid": n.const(1),
+        "pixel_valid": bits[0],
+        "disparity_start_of_frame": n.bit_or(*bits[: len(bits) // 2]),
+        "disparity_end_of_line": n.bit_and(bits[0], n.bit_not(n.less(words[0], words[1]))),
     }
     return design
 
@@ -42,12 +56,22 @@ def random_word(rng, words, bits, depth):
         return rng.choice(words) if rng.random() < 0.8 else n.const(rng.randrange(256))
     x, y = (random_word(rng, words, bits, depth - 1) for _ in range(2))
     bit = random_bit(rng, words, bits, depth - 1)
-    return rng.choice((
-        lambda: n.add(x, y), lambda: n.sub(x, y), lambda: n.absolute(n.sub(x, y)), lambda: n.mux(bit, x, y), lambda: n.add(x, bit), lambda: n.wrap(n.mul(n.wrap(x, 6), y), 12),
-        lambda: n.bitwise(rng.choice(("and", "or", "xor")), n.wrap(x, 8), n.wrap(y, 8)),
-        lambda: n.wrap(n.shift_left(x, rng.randrange(4)), 10), lambda: n.shift_right(n.wrap(x, 9), rng.randrange(5)),
-        lambda: n.wrap(x, rng.randrange(1, 9)), lambda: n.wrap(x, 6, signed=True), lambda: n.add(x, n.const(-rng.randrange(9))),
-    ))()
+    return rng.choice(
+        (
+            lambda: n.add(x, y),
+            lambda: n.sub(x, y),
+            lambda: n.absolute(n.sub(x, y)),
+            lambda: n.mux(bit, x, y),
+            lambda: n.add(x, bit),
+            lambda: n.wrap(n.mul(n.wrap(x, 6), y), 12),
+            lambda: n.bitwise(rng.choice(("and", "or", "xor")), n.wrap(x, 8), n.wrap(y, 8)),
+            lambda: n.wrap(n.shift_left(x, rng.randrange(4)), 10),
+            lambda: n.shift_right(n.wrap(x, 9), rng.randrange(5)),
+            lambda: n.wrap(x, rng.randrange(1, 9)),
+            lambda: n.wrap(x, 6, signed=True),
+            lambda: n.add(x, n.const(-rng.randrange(9))),
+        )
+    )()
 
 
 def random_bit(rng, words, bits, depth):
@@ -55,10 +79,19 @@ def random_bit(rng, words, bits, depth):
         return rng.choice(bits)
     x, y = (random_word(rng, words, bits, depth - 1) for _ in range(2))
     p, q = (random_bit(rng, words, bits, depth - 1) for _ in range(2))
-    return rng.choice((
-        lambda: n.less(x, y), lambda: n.equal(x, y), lambda: n.bit_not(n.equal(x, n.const(7))), lambda: n.bit_and(p, q), lambda: n.bit_or(p, q),
-        lambda: n.bit_not(p), lambda: n.bit_xor(p, q), lambda: n.mux(p, q, n.less(x, n.const(50))), lambda: n.wrap(x, 1),
-    ))()
+    return rng.choice(
+        (
+            lambda: n.less(x, y),
+            lambda: n.equal(x, y),
+            lambda: n.bit_not(n.equal(x, n.const(7))),
+            lambda: n.bit_and(p, q),
+            lambda: n.bit_or(p, q),
+            lambda: n.bit_not(p),
+            lambda: n.bit_xor(p, q),
+            lambda: n.mux(p, q, n.less(x, n.const(50))),
+            lambda: n.wrap(x, 1),
+        )
+    )()
 
 
 def run_in_python(design, stimulus):
@@ -81,10 +114,17 @@ def run_in_python(design, stimulus):
 def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part):
     design = random_netlist(rng)
     narrow_registers(design)
-    netlist.remove_unused(design)
-    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- random netlist").write())
+    remove_unused(design)
+    assert_alike(design, rng, tmp_path)
+
+
+def assert_alike(design, rng, tmp_path):
+    """GHDL and Python on the same stimulus; and GHDL's synthesis takes the VHDL, too."""
+    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- netlist of a test").write())
     stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
-    lines = [f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus]
+    lines = [
+        f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus
+    ]
     (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
     simulator = Ghdl([tmp_path / "stereo_core.vhd"], tmp_path / "sim")
     simulator.build()
@@ -93,7 +133,30 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
     assert clocks == CLOCKS
     for expected, got in zip(run_in_python(design, stimulus), observed, strict=True):
         assert got == expected
-    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path), "GHDL's synthesis takes it, too"
+    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path)
+
+
+def test_only_a_sum_of_terms_that_share_no_bit_becomes_a_concatenation(ghdl, rng, tmp_path):
+    """As words they are operands of a bit operation: sums that share no bit, that carry, and that subtract."""
+    inputs = {name: n.leaf("input", name, w) for name, w in INPUTS.items()}
+    left, right = inputs["left_pixel"], inputs["right_pixel"]
+    low, high = n.wrap(left, 4), n.wrap(right, 3)
+    for number, total in enumerate(
+        (
+            n.add(low, n.shift_left(high, 4)),
+            n.add(low, high),
+            n.add(low, n.shift_left(high, 2), n.const(9)),
+            n.add(n.mux(inputs["valid"], n.const(20), n.const(30)), low, n.const(-20)),
+        )
+    ):
+        register = netlist.Register("r", n.leaf("register", "r", 8), next=n.bitwise("xor", total, right))
+        outputs = {
+            "disparity": register.value,
+            **dict.fromkeys(("disparity_valid", "pixel_valid"), n.const(1)),
+            **dict.fromkeys(("disparity_start_of_frame", "disparity_end_of_line"), n.const(0)),
+        }
+        (tmp_path / str(number)).mkdir()
+        assert_alike(netlist.Netlist(inputs, outputs, [register]), rng, tmp_path / str(number))
 
 
 def test_ranges_follow_a_pipeline_and_leave_counters_alone():
@@ -121,15 +184,33 @@ def test_hold_is_found():
 
 
 def memory_design():
-    address, word = netlist.Register("m_address", n.leaf("register", "m_address", 3)), netlist.Register("m_word", n.leaf("register", "m_word", 8))
-    memory = netlist.Memory("m_memory", 8, 8, n.leaf("memory", "m_memory", 8), address.value, address.value, n.leaf("input", "left_pixel", 8))
+    address, word = (
+        netlist.Register("m_address", n.leaf("register", "m_address", 3)),
+        netlist.Register("m_word", n.leaf("register", "m_word", 8)),
+    )
+    memory = netlist.Memory(
+        "m_memory",
+        8,
+        8,
+        n.leaf("memory", "m_memory", 8),
+        address.value,
+        address.value,
+        n.leaf("input", "left_pixel", 8),
+    )
     address.next, word.next = n.wrap(n.add(address.value, n.const(1)), 3), memory.data
-    outputs = {"disparity": word.value, "pixel_valid": n.const(1), "disparity_valid": n.const(1), "disparity_start_of_frame": n.const(0), "disparity_end_of_line": n.const(0)}
+    outputs = {
+        "disparity": word.value,
+        "pixel_valid": n.const(1),
+        "disparity_valid": n.const(1),
+        "disparity_start_of_frame": n.const(0),
+        "disparity_end_of_line": n.const(0),
+    }
     return netlist.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
 
 
 def test_reset_reaches_flags_through_a_memory():
-    """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data alone."""
+    """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data
+    alone."""
     design = memory_design()
     flag, data = (netlist.Register(name, n.leaf("register", name, width)) for name, width in (("flag", 1), ("data", 7)))
     flag.next, data.next = n.wrap(design.inputs["left_pixel"], 1), n.wrap(design.inputs["left_pixel"], 7)
@@ -161,7 +242,9 @@ def test_a_memory_that_is_read_without_a_register_is_refused():
 
 def test_an_operation_without_vhdl_is_refused():
     design = memory_design()
-    design.outputs["disparity"] = n.wrap(n.shift_right(n.sub(design.registers[1].value, n.leaf("input", "right_pixel", 8)), 1), 8)
+    design.outputs["disparity"] = n.wrap(
+        n.shift_right(n.sub(design.registers[1].value, n.leaf("input", "right_pixel", 8)), 1), 8
+    )
     design.inputs["right_pixel"] = n.leaf("input", "right_pixel", 8)
     with pytest.raises(FlowError, match="no VHDL for an arithmetic right shift"):
         VhdlWriter(design, "").write()
@@ -169,7 +252,8 @@ def test_an_operation_without_vhdl_is_refused():
 
 @pytest.mark.parametrize("constant", [0x10, 0x11, 0x70, 0x90, 0xF0])
 def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant):
-    """An 8-bit word of two registers of 1 bit (bits 1 and 3) and of constant ones around them, through a memory and back."""
+    """An 8-bit word of two registers of 1 bit (bits 1 and 3) and of constant ones around them, through a memory and
+    back."""
     design = memory_design()
     pixel = design.inputs["left_pixel"]
     ones = n.const(constant)
@@ -180,7 +264,9 @@ def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant)
     stimulus = [{"left_pixel": k % 4, "right_pixel": 0, "start_of_frame": 0, "valid": 1} for k in range(40)]
     lines = [f"1 {s['left_pixel']:02x} 00" for s in stimulus]
     (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
-    simulator = Ghdl([*sorted((GENERATED_RTL / "tiny").glob("line_memory.vhd")), tmp_path / "stereo_core.vhd"], tmp_path / "sim")
+    simulator = Ghdl(
+        [*sorted((GENERATED_RTL / "tiny").glob("line_memory.vhd")), tmp_path / "stereo_core.vhd"], tmp_path / "sim"
+    )
     simulator.build()
     simulator.run(tmp_path / "stimulus.txt", tmp_path / "observed.txt", lambda clock: None, 60)
     observed, _ = vectors.read_observed(tmp_path / "observed.txt")

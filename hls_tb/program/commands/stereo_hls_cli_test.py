@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program stereo_hls as its users meet it: files, messages and exit codes. Its command match: stereo_hls_match_test.py."""
+"""The program stereo_hls as its users meet it: files, messages and exit codes. Its command match:
+stereo_hls_match_test.py."""
 
 import json
 import subprocess
@@ -25,8 +26,22 @@ def test_configurations_as_json():
     assert list(table) == sorted(table)
     tiny = table["tiny"]
     assert (tiny["width_px"], tiny["height_px"], tiny["disparities"]) == (WIDTH, HEIGHT, DISPARITIES)
-    keys = {"width_px", "height_px", "disparities", "window_px", "pixels_per_clock", "slice_disparities", "cost_clocks",
-            "winner_group", "disparity_bits", "output_width_px", "output_height_px", "latency_clocks", "flush_groups", "gap_groups"}
+    keys = {
+        "width_px",
+        "height_px",
+        "disparities",
+        "window_px",
+        "pixels_per_clock",
+        "slice_disparities",
+        "cost_clocks",
+        "winner_group",
+        "disparity_bits",
+        "output_width_px",
+        "output_height_px",
+        "latency_clocks",
+        "flush_groups",
+        "gap_groups",
+    }
     for values in table.values():
         assert keys <= values.keys()
     for name in ("tiny", "ambrosch2007"):
@@ -61,8 +76,14 @@ def test_scene_is_determined_by_its_seed(tmp_path):
         return {p.name: p.read_bytes() for p in (tmp_path / name).iterdir()}
 
     first = scene("a", 1)
-    assert sorted(first) == ["disparity_left.png", "disparity_right.png", "left.png", "right.png", "visible_left.png",
-                             "visible_right.png"]
+    assert sorted(first) == [
+        "disparity_left.png",
+        "disparity_right.png",
+        "left.png",
+        "right.png",
+        "visible_left.png",
+        "visible_right.png",
+    ]
     assert png_size(tmp_path / "a" / "left.png") == (60, 40)
     assert scene("b", 1) == first
     assert scene("c", 2)["left.png"] != first["left.png"]
@@ -86,7 +107,10 @@ def test_vectors_first_lines_and_counts(tmp_path, pair, config, pixels):
     groups = HEIGHT // pixels
     clocks, outputs = WIDTH * groups + WIDTH + latency + 4, 24 * groups
     assert stimulus[0] == f"stereo-hls stimulus 1 config={config} pixels={pixels} clocks={clocks}"
-    assert expected[0] == f"stereo-hls expected 2 config={config} pixels={pixels} disparity_bits=8 outputs={outputs} latency={latency}"
+    assert (
+        expected[0]
+        == f"stereo-hls expected 2 config={config} pixels={pixels} disparity_bits=8 outputs={outputs} latency={latency}"
+    )
     assert len(stimulus) == clocks + 1 and len(expected) == outputs + 1
     assert stimulus[1].startswith("3 ") and len(stimulus[1]) == 3 + 4 * pixels
     all_valid = (2**pixels - 1) << 2
@@ -101,20 +125,26 @@ def test_vectors_of_several_rows_at_once_hold_the_same(tmp_path, pair):
         """The words of `left_to_right` records a group, taken apart into rows: [y][x]."""
         rows = []
         for start in range(0, len(lines), left_to_right):
-            group = lines[start:start + left_to_right]
-            rows += [[word[2 * (pixels - 1 - p):][:2] for word in group] for p in range(pixels)]
+            group = lines[start : start + left_to_right]
+            rows += [[word[2 * (pixels - 1 - p) :][:2] for word in group] for p in range(pixels)]
         return rows
 
     seen = []
     for config, pixels in (("tiny", 1), ("tiny_p4", 4)):
         stimulus, expected = vectors(tmp_path, pair, config=config)
-        image = [line.split() for line in stimulus[1:1 + WIDTH * HEIGHT // pixels]]
-        seen.append([rows_of([line[1] for line in image], pixels, WIDTH),
-                     rows_of([line[2] for line in image], pixels, WIDTH),
-                     rows_of([line.split()[4] for line in expected[1:]], pixels, WIDTH - DISPARITIES)])
+        image = [line.split() for line in stimulus[1 : 1 + WIDTH * HEIGHT // pixels]]
+        seen.append(
+            [
+                rows_of([line[1] for line in image], pixels, WIDTH),
+                rows_of([line[2] for line in image], pixels, WIDTH),
+                rows_of([line.split()[4] for line in expected[1:]], pixels, WIDTH - DISPARITIES),
+            ]
+        )
     assert seen[0] == seen[1]
-    assert seen[0][0] == [[f"{v:02x}" for v in (tmp_path / "l.pgm").read_bytes()[-WIDTH * HEIGHT:][y * WIDTH:][:WIDTH]]
-                          for y in range(HEIGHT)]
+    assert seen[0][0] == [
+        [f"{v:02x}" for v in (tmp_path / "l.pgm").read_bytes()[-WIDTH * HEIGHT :][y * WIDTH :][:WIDTH]]
+        for y in range(HEIGHT)
+    ]
 
 
 def test_vectors_of_rows_frames_and_stalls(tmp_path, pair):
@@ -128,7 +158,8 @@ def test_vectors_of_rows_frames_and_stalls(tmp_path, pair):
     assert len(expected) - 1 == 2 * 24 * 12
     assert expected[-1].split()[3] == "1"
     assert vectors(tmp_path, pair, "--stall-percent", 30, "--seed", 5) != vectors(
-        tmp_path, pair, "--stall-percent", 30, "--seed", 6)
+        tmp_path, pair, "--stall-percent", 30, "--seed", 6
+    )
 
 
 @pytest.mark.parametrize("rows, says", [("0:6", "a multiple of the 4 pixels per clock"), ("0:4", "at least 8 rows")])
@@ -160,9 +191,15 @@ def test_trace_names_what_the_registers_show(tmp_path, config, pixels):
     assert list(difference[1:]) == [a - b for a, b in zip(left, right)][:-1]
     assert min(difference) < 0 < max(difference)
     # 8 disparities in slices of 3, 3 and 2; two levels of winners.
-    for name in ("slice2shift_search_out_0", "slice2winner2_index_0_0", "slice2best_index_0_0",
-                 "slice0window_partial_0_1_2", "slice0window_centre_0_output_column", "slice0best_tag_end_of_line",
-                 "rows_ready_tag_border_column"):
+    for name in (
+        "slice2shift_search_out_0",
+        "slice2winner2_index_0_0",
+        "slice2best_index_0_0",
+        "slice0window_partial_0_1_2",
+        "slice0window_centre_0_output_column",
+        "slice0best_tag_end_of_line",
+        "rows_ready_tag_border_column",
+    ):
         assert name in trace
     assert not any(name.startswith("slice3") for name in trace)
     assert f"slice2best_cost_{pixels - 1}_0" in trace and f"slice2best_cost_{pixels}_0" not in trace
@@ -196,14 +233,17 @@ def fail_to_print(folder, *arguments):
     assert sorted(folder.rglob("*")) == before
 
 
-@pytest.mark.parametrize("command", [["configurations"], ["configurations", "--json"], ["scene", "--seed", "1", "--out", "deep/scene"]])
+@pytest.mark.parametrize(
+    "command", [["configurations"], ["configurations", "--json"], ["scene", "--seed", "1", "--out", "deep/scene"]]
+)
 def test_a_result_that_does_not_reach_stdout_is_a_failure(tmp_path, command):
     fail_to_print(tmp_path, *command)
 
 
 def test_results_of_a_pair_that_do_not_reach_stdout_are_a_failure(tmp_path, match, pair):
     fail_to_print(tmp_path, *match)
-    fail_to_print(tmp_path, "evaluate", *pair, "--truth-right", pair[1], "--border", "0", "--config", "tiny", "--json", "deep/e.json")
+    truth = ["--truth-right", pair[1], "--border", "0"]
+    fail_to_print(tmp_path, "evaluate", *pair, *truth, "--config", "tiny", "--json", "deep/e.json")
 
 
 @pytest.mark.parametrize("out", ["deep/out", "deep/out.avi"])
@@ -217,34 +257,52 @@ def test_a_video_whose_summary_does_not_reach_stdout_is_a_failure(tmp_path, pair
 def test_a_failure_leaves_no_folder_behind(tmp_path, match):
     """Not those above the one that cannot be made either; folders that were there stay."""
     (tmp_path / "there").mkdir()
-    fail(tmp_path, *changed(match, "--out", tmp_path / "there" / "made" / ("x" * 300)), says=["--out", "File name too long"])
+    fail(
+        tmp_path,
+        *changed(match, "--out", tmp_path / "there" / "made" / ("x" * 300)),
+        says=["--out", "File name too long"],
+    )
     (tmp_path / "link").symlink_to(tmp_path / "nowhere")
     fail(tmp_path, *changed(match, "--out", tmp_path / "link"), says=["--out", tmp_path / "link"])
 
 
-@pytest.mark.parametrize("arguments, says", [
-    ([], "subcommand"),
-    (["match", "--left", "x"], "--config"),
-    (["configurations", "--frobnicate"], "--frobnicate"),
-    (["scene", "--out", "o", "--seed", "one"], "--seed"),
-    (["scene", "--out", "o", "--seed", "-1"], "--seed"),
-    (["scene", "--out", "o", "--seed", "1", "--config", "tiny", "--width", "9"], "--width"),
-    (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
-    (["frobnicate"], "frobnicate: there is no such command"),
-    (["--frobnicate"], "--frobnicate: there is no such command"),
-])
+@pytest.mark.parametrize(
+    "arguments, says",
+    [
+        ([], "subcommand"),
+        (["match", "--left", "x"], "--config"),
+        (["configurations", "--frobnicate"], "--frobnicate"),
+        (["scene", "--out", "o", "--seed", "one"], "--seed"),
+        (["scene", "--out", "o", "--seed", "-1"], "--seed"),
+        (["scene", "--out", "o", "--seed", "1", "--config", "tiny", "--width", "9"], "--width"),
+        (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
+        (["frobnicate"], "frobnicate: there is no such command"),
+        (["--frobnicate"], "--frobnicate: there is no such command"),
+    ],
+)
 def test_wrong_usage(tmp_path, arguments, says):
     fail(tmp_path, *arguments, says=[says])
 
 
-@pytest.mark.parametrize("option, value", [
-    ("--engine", "slow"), ("--fit", "stretch"), ("--fit", "1")])
+@pytest.mark.parametrize("option, value", [("--engine", "slow"), ("--fit", "stretch"), ("--fit", "1")])
 def test_words_that_are_no_choice(tmp_path, match, option, value):
     fail(tmp_path, *match, option, value, says=[option, value])
 
 
-@pytest.mark.parametrize("option, value", [
-    ("--rows", "4"), ("--rows", "a:b"), ("--rows", "4:"), ("--rows", "4:4"), ("--rows", "4:5"), ("--rows", "0:13"),
-    ("--frames", "0"), ("--stall-percent", "96"), ("--stall-percent", "-1"), ("--seed", "x")])
+@pytest.mark.parametrize(
+    "option, value",
+    [
+        ("--rows", "4"),
+        ("--rows", "a:b"),
+        ("--rows", "4:"),
+        ("--rows", "4:4"),
+        ("--rows", "4:5"),
+        ("--rows", "0:13"),
+        ("--frames", "0"),
+        ("--stall-percent", "96"),
+        ("--stall-percent", "-1"),
+        ("--seed", "x"),
+    ],
+)
 def test_vectors_options_out_of_range(tmp_path, pair, option, value):
     fail(tmp_path, "vectors", "--config", "tiny", *pair, "--out", tmp_path / "v", option, value, says=[value])

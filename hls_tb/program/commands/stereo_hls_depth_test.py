@@ -20,15 +20,23 @@ Z_MM = round(1000 * FOCAL * BASELINE / SHIFT)
 
 def matrix(name, values, columns):
     rows = len(values) // columns
-    return f"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ {', '.join(map(repr, values))} ]\n"
+    data = ", ".join(map(repr, values))
+    return f"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ {data} ]\n"
 
 
 def calibration(path, baseline=BASELINE, focal=FOCAL, turn=0.0, **others):
     """As OpenCV's stereo_calib writes it; the right camera is turned by `turn` radians about its axis."""
     camera = [focal, 0.0, WIDTH / 2, 0.0, focal, HEIGHT / 2, 0.0, 0.0, 1.0]
     c, s = math.cos(turn), math.sin(turn)
-    matrices = {"M1": (camera, 3), "D1": ([0.0] * 5, 5), "M2": (camera, 3), "D2": ([0.0] * 5, 5),
-                "R": ([c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0], 3), "T": ([-baseline * c, -baseline * s, 0.0], 1), **others}
+    matrices = {
+        "M1": (camera, 3),
+        "D1": ([0.0] * 5, 5),
+        "M2": (camera, 3),
+        "D2": ([0.0] * 5, 5),
+        "R": ([c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0], 3),
+        "T": ([-baseline * c, -baseline * s, 0.0], 1),
+        **others,
+    }
     path.write_text("%YAML:1.0\n---\n" + "".join(matrix(name, *value) for name, value in matrices.items() if value))
     return path
 
@@ -43,6 +51,7 @@ def ground(seed=1):
         u, v = x - i, y - j
         top = (1 - u) * noise[j][i] + u * noise[j][i + 1]
         return round((1 - v) * top + v * ((1 - u) * noise[j + 1][i] + u * noise[j + 1][i + 1]))
+
     return value
 
 
@@ -55,25 +64,30 @@ def plane(tmp_path, turn=0.0):
         return value(c * dx + s * dy + WIDTH / 2 + SHIFT, -s * dx + c * dy + HEIGHT / 2)
 
     size = {"width": WIDTH, "height": HEIGHT}
-    return ["--left", gray_image(tmp_path / "left.pgm", value, **size), "--right", gray_image(tmp_path / "right.pgm", right, **size)]
+    return [
+        "--left",
+        gray_image(tmp_path / "left.pgm", value, **size),
+        "--right",
+        gray_image(tmp_path / "right.pgm", right, **size),
+    ]
 
 
 def png_pixels(path):
     """The rows of a grey PNG file of 8 or 16 bits."""
     data, position, packed = path.read_bytes(), 8, b""
     while position < len(data):
-        (length,), kind = struct.unpack(">I", data[position:position + 4]), data[position + 4:position + 8]
-        packed += data[position + 8:position + 8 + length] if kind == b"IDAT" else b""
+        (length,), kind = struct.unpack(">I", data[position : position + 4]), data[position + 4 : position + 8]
+        packed += data[position + 8 : position + 8 + length] if kind == b"IDAT" else b""
         position += 12 + length
     (width, height), step = png_size(path), png_depth(path) // 8
     raw, stride, last, rows = zlib.decompress(packed), 1 + width * step, bytes(width * step), []
     for y in range(height):
-        line = bytearray(raw[y * stride + 1:(y + 1) * stride])
+        line = bytearray(raw[y * stride + 1 : (y + 1) * stride])
         for i in range(len(line)):
             a, b, c = (line[i - step] if i >= step else 0), last[i], (last[i - step] if i >= step else 0)
             nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
             line[i] = (line[i] + (0, a, b, (a + b) // 2, nearest)[raw[y * stride]]) & 255
-        rows.append([int.from_bytes(line[x:x + step], "big") for x in range(0, len(line), step)])
+        rows.append([int.from_bytes(line[x : x + step], "big") for x in range(0, len(line), step)])
         last = bytes(line)
     return rows
 
@@ -93,9 +107,10 @@ def depth(tmp_path):
 @pytest.mark.parametrize("reference", ["left", "right"])
 @pytest.mark.parametrize("subpixel", ["false", "true"])
 def test_a_plane_stands_where_it_stands(tmp_path, depth, reference, subpixel):
-    out = succeed(*depth, calibration(tmp_path / "c.yml"), *plane(tmp_path), "--rectified", "--set", "window_px=15",
-                  "--set", f"reference={reference}", "--set", f"subpixel={subpixel}")
-    assert png_depth(tmp_path / "out" / "depth.png") == 16 and png_size(tmp_path / "out" / "depth.png") == (WIDTH, HEIGHT)
+    settings = ["--set", "window_px=15", "--set", f"reference={reference}", "--set", f"subpixel={subpixel}"]
+    out = succeed(*depth, calibration(tmp_path / "c.yml"), *plane(tmp_path), "--rectified", *settings)
+    assert png_depth(tmp_path / "out" / "depth.png") == 16
+    assert png_size(tmp_path / "out" / "depth.png") == (WIDTH, HEIGHT)
     rows = png_pixels(tmp_path / "out" / "depth.png")
     columns = range(40, 120)
     # Subpixel disparities are whole here, give or take a sixteenth or two.
@@ -110,7 +125,12 @@ def test_a_plane_stands_where_it_stands(tmp_path, depth, reference, subpixel):
     assert facts["focal_px"] == FOCAL and facts["baseline_mm"] == pytest.approx(1000 * BASELINE)
     assert facts["known_px"] == len(points) and facts["parameters"]["reference"] == reference
     assert f"baseline 50 mm: depth of {len(points)} of {WIDTH * HEIGHT} pixels" in out and "warning" not in out
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["cloud.ply", "depth.json", "depth.png", "preview.png"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
+        "cloud.ply",
+        "depth.json",
+        "depth.png",
+        "preview.png",
+    ]
     if subpixel == "true":
         return
     x, y, z, red, green, blue = points[len(points) // 2]
@@ -135,7 +155,9 @@ def test_q_comes_before_the_cameras(tmp_path, depth):
 
 def test_turned_cameras_are_rectified(tmp_path, depth):
     turn, pair = 0.1, plane(tmp_path, 0.1)
-    assert "warning: the images do not look rectified" in succeed("match", "--config", "study", *pair, "--out", tmp_path / "m")
+    assert "warning: the images do not look rectified" in succeed(
+        "match", "--config", "study", *pair, "--out", tmp_path / "m"
+    )
     intrinsics = calibration(tmp_path / "intrinsics.yml", R=None, T=None)
     extrinsics = calibration(tmp_path / "extrinsics.yml", turn=turn, M1=None, D1=None, M2=None, D2=None)
     exact = ["--set", "window_px=15", "--set", "subpixel=true"]
@@ -152,7 +174,8 @@ def test_turned_cameras_are_rectified(tmp_path, depth):
     assert "warning" not in succeed("match", "--config", "study", *rectified, "--out", tmp_path / "m")
     # What is not rectified is said, not hidden.
     assert "warning: the images do not look rectified" in succeed(
-        *depth, intrinsics, "--extrinsics", extrinsics, *pair, "--rectified")
+        *depth, intrinsics, "--extrinsics", extrinsics, *pair, "--rectified"
+    )
 
 
 def test_match_says_nothing_of_a_rectified_pair(tmp_path):
@@ -162,7 +185,7 @@ def test_match_says_nothing_of_a_rectified_pair(tmp_path):
 def test_colours_reach_the_cloud(tmp_path, depth):
     pair = plane(tmp_path)
     for option, name in (("--left", "left"), ("--right", "right")):
-        gray = (tmp_path / f"{name}.pgm").read_bytes()[-WIDTH * HEIGHT:]
+        gray = (tmp_path / f"{name}.pgm").read_bytes()[-WIDTH * HEIGHT :]
         color = tmp_path / f"{name}.ppm"
         color.write_bytes(f"P6\n{WIDTH} {HEIGHT}\n255\n".encode() + b"".join(bytes((v, v // 2, 9)) for v in gray))
         pair[pair.index(option) + 1] = color
@@ -174,38 +197,50 @@ def test_colours_reach_the_cloud(tmp_path, depth):
 IDENTITY = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
-@pytest.mark.parametrize("changes, options, says", [
-    ({"R": None}, [], ["lacks R", "--extrinsics"]),
-    ({"M1": None, "T": None}, [], ["lacks M1, T"]),
-    ({"M1": None, "T": None}, ["--rectified"], ["neither Q"]),
-    ({"M1": (IDENTITY[:6], 3)}, [], ["matrix M1 is 2x3", "3x3"]),
-    ({"M1": (IDENTITY[:4] + [math.nan] + IDENTITY[5:], 3)}, [], ["c.yml"]),
-    ({"M2": ([200.0, 0.0, 900.0, 0.0, 200.0, 60.0, 0.0, 0.0, 1.0], 3)}, [], ["M2", "160x120"]),
-    ({"M1": ([0.0] * 9, 3)}, [], ["M1", "160x120"]),
-    ({"D1": ([0.0] * 15, 15)}, [], ["matrix D1 is 1x15", "14"]),
-    ({"D1": ([0.0] * 3, 3)}, [], ["cannot be rectified"]),
-    ({"R": ([2.0, *IDENTITY[1:]], 3)}, [], ["R is no rotation"]),
-    ({"T": ([0.0, -0.05, 0.0], 1)}, [], ["one above the other"]),
-    ({"T": ([0.05, 0.0, 0.0], 1)}, [], ["exchange --left and --right"]),
-    ({"T": ([0.0, 0.0, 0.0], 1)}, [], ["--calibration"]),
-    ({"T": ([0.05, 0.0, 0.0], 1)}, ["--rectified"], ["exchange --left and --right"]),
-    ({}, ["--unit-mm", "0"], ["--unit-mm"]),
-    ({}, ["--unit-mm", "nan"], ["--unit-mm", "no number above 0"]),
-    ({}, ["--unit-mm", "inf"], ["--unit-mm", "no number above 0"]),
-    ({}, ["--set", "window=3"], ["--set window=3"]),
-    ({}, ["--set", "disparities=200"], ["--config study", "200"]),
-    ({}, ["--config", "nope"], ["nope"]),
-    ({}, ["--extrinsics", "nowhere.yml"], ["nowhere.yml", "no such file"])])
+@pytest.mark.parametrize(
+    "changes, options, says",
+    [
+        ({"R": None}, [], ["lacks R", "--extrinsics"]),
+        ({"M1": None, "T": None}, [], ["lacks M1, T"]),
+        ({"M1": None, "T": None}, ["--rectified"], ["neither Q"]),
+        ({"M1": (IDENTITY[:6], 3)}, [], ["matrix M1 is 2x3", "3x3"]),
+        ({"M1": (IDENTITY[:4] + [math.nan] + IDENTITY[5:], 3)}, [], ["c.yml"]),
+        ({"M2": ([200.0, 0.0, 900.0, 0.0, 200.0, 60.0, 0.0, 0.0, 1.0], 3)}, [], ["M2", "160x120"]),
+        ({"M1": ([0.0] * 9, 3)}, [], ["M1", "160x120"]),
+        ({"D1": ([0.0] * 15, 15)}, [], ["matrix D1 is 1x15", "14"]),
+        ({"D1": ([0.0] * 3, 3)}, [], ["cannot be rectified"]),
+        ({"R": ([2.0, *IDENTITY[1:]], 3)}, [], ["R is no rotation"]),
+        ({"T": ([0.0, -0.05, 0.0], 1)}, [], ["one above the other"]),
+        ({"T": ([0.05, 0.0, 0.0], 1)}, [], ["exchange --left and --right"]),
+        ({"T": ([0.0, 0.0, 0.0], 1)}, [], ["--calibration"]),
+        ({"T": ([0.05, 0.0, 0.0], 1)}, ["--rectified"], ["exchange --left and --right"]),
+        ({}, ["--unit-mm", "0"], ["--unit-mm"]),
+        ({}, ["--unit-mm", "nan"], ["--unit-mm", "no number above 0"]),
+        ({}, ["--unit-mm", "inf"], ["--unit-mm", "no number above 0"]),
+        ({}, ["--set", "window=3"], ["--set window=3"]),
+        ({}, ["--set", "disparities=200"], ["--config study", "200"]),
+        ({}, ["--config", "nope"], ["nope"]),
+        ({}, ["--extrinsics", "nowhere.yml"], ["nowhere.yml", "no such file"]),
+    ],
+)
 def test_wrong_calibrations(tmp_path, depth, changes, options, says):
     if "--config" in options:
         depth = [word for word in depth if word not in ("--config", "study")]
     fail(tmp_path, *depth, calibration(tmp_path / "c.yml", **changes), *plane(tmp_path), *options, says=says)
 
 
-@pytest.mark.parametrize("content", [
-    b"", b"hello", b"%YAML:1.0\n---\n- 1\n- 2\n", b"\0\1\2\3" * 100,
-    b"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 1., 2. ]\n",
-    b"<?xml version=\"1.0\"?>\n<opencv_storage><M1", b"{\"M1\": ["])
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"hello",
+        b"%YAML:1.0\n---\n- 1\n- 2\n",
+        b"\0\1\2\3" * 100,
+        b"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 1., 2. ]\n",
+        b'<?xml version="1.0"?>\n<opencv_storage><M1',
+        b'{"M1": [',
+    ],
+)
 def test_hostile_calibrations(tmp_path, depth, content):
     (tmp_path / "h.yml").write_bytes(content)
     fail(tmp_path, *depth, tmp_path / "h.yml", *plane(tmp_path), says=["h.yml", "not a calibration"])
@@ -213,8 +248,16 @@ def test_hostile_calibrations(tmp_path, depth, content):
 
 @pytest.mark.parametrize("rows, columns", [(-3, 3), (3, 0), (2000000000, 2000000000), (1000000000, 3)])
 def test_the_size_of_a_matrix_is_looked_at_before_there_is_memory_for_it(tmp_path, depth, rows, columns):
-    (tmp_path / "h.yml").write_text(f"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ 1. ]\n")
-    fail(tmp_path, *depth, tmp_path / "h.yml", *plane(tmp_path), says=["h.yml: its matrix M1", f"{rows}x{columns} but must be 3x3"])
+    (tmp_path / "h.yml").write_text(
+        f"%YAML:1.0\n---\nM1: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ 1. ]\n"
+    )
+    fail(
+        tmp_path,
+        *depth,
+        tmp_path / "h.yml",
+        *plane(tmp_path),
+        says=["h.yml: its matrix M1", f"{rows}x{columns} but must be 3x3"],
+    )
 
 
 def test_rectified_images_of_an_earlier_run_do_not_stay(tmp_path, depth):
@@ -234,6 +277,13 @@ def test_images_that_do_not_fit(tmp_path, depth):
     yml = calibration(tmp_path / "c.yml")
     fail(tmp_path, *depth, yml, *pair[:3], other, says=["differ in size", "160x120", "160x122"])
     fail(tmp_path, *depth, yml, *pair[:3], tmp_path / "no.png", says=["no.png", "no such file"])
-    fail(tmp_path, *depth, yml, *pair[:3], write_image(tmp_path / "d.pgm", WIDTH, HEIGHT, maximum=65535), says=["16 bits"])
+    fail(
+        tmp_path,
+        *depth,
+        yml,
+        *pair[:3],
+        write_image(tmp_path / "d.pgm", WIDTH, HEIGHT, maximum=65535),
+        says=["16 bits"],
+    )
     fail(tmp_path, *depth, tmp_path / "no.yml", *pair, says=["no.yml", "no such file"])
     fail(tmp_path, *depth, tmp_path, *pair, says=[tmp_path, "no such file"])

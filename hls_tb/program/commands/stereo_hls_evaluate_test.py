@@ -24,12 +24,17 @@ def pfm(path, value, width=WIDTH, height=HEIGHT, order="<"):
 
 def png16(path, value, width=WIDTH, height=HEIGHT):
     """A grey PNG file of 16 bits, as KITTI's."""
+
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
     rows = b"".join(b"\0" + struct.pack(f">{width}H", *(value(x, y) for x in range(width))) for y in range(height))
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 0, 0, 0, 0)) +
-                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    path.write_bytes(
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 0, 0, 0, 0))
+        + chunk(b"IDAT", zlib.compress(rows))
+        + chunk(b"IEND", b"")
+    )
     return path
 
 
@@ -78,7 +83,9 @@ def test_every_kind_of_truth_says_the_same(tmp_path, evaluate, kind):
         gray_image(truth, lambda x, y: round(4 * value(x, y)))
     else:
         truth = png16(tmp_path / "truth.png", lambda x, y: round(256 * value(x, y)))
-    _, [method] = results(tmp_path, *evaluate, "--truth-left", truth, "--truth-scale", 4, "--disparity", found, "--reference", "left")
+    _, [method] = results(
+        tmp_path, *evaluate, "--truth-left", truth, "--truth-scale", 4, "--disparity", found, "--reference", "left"
+    )
     errors = [abs(3 - value(x, y)) for x in range(WIDTH) for y in range(HEIGHT) if value(x, y) != 0]
     mask = method["masks"]["all"]
     assert mask["pixels"] == len(errors) and mask["avg_px"] == pytest.approx(sum(errors) / len(errors), abs=1e-6)
@@ -91,8 +98,8 @@ def shifted_pair(tmp_path, shift=3, width=WIDTH, height=HEIGHT):
     left = gray_image(tmp_path / "ls.pgm", lambda x, y: ground[y][x], **size)
     right = gray_image(tmp_path / "rs.pgm", lambda x, y: ground[y][x + shift], **size)
     truth = pfm(tmp_path / "shift.pfm", lambda x, y: shift, **size)
-    return ["evaluate", "--left", left, "--right", right, "--truth-left", truth, "--truth-right", truth,
-            "--json", tmp_path / "e.json"]
+    images = ["--left", left, "--right", right, "--truth-left", truth, "--truth-right", truth]
+    return ["evaluate", *images, "--json", tmp_path / "e.json"]
 
 
 def test_configurations_against_the_truth_of_their_reference(tmp_path):
@@ -106,7 +113,9 @@ def test_configurations_against_the_truth_of_their_reference(tmp_path):
     assert right["masks"]["non_occluded"]["pixels"] == (WIDTH - 3) * HEIGHT
     assert right["masks"]["non_occluded"]["density"] == pytest.approx(columns / (WIDTH - 3))
     assert "discontinuity" not in right["masks"], "it has no pixels"
-    _, [left, plain] = results(tmp_path, *evaluate, "--set", "reference=left", "--set", "min_disparity=1", "--config", "study")
+    _, [left, plain] = results(
+        tmp_path, *evaluate, "--set", "reference=left", "--set", "min_disparity=1", "--config", "study"
+    )
     assert left["reference"] == plain["reference"] == "left"
     assert left["parameters"]["min_disparity"] == plain["parameters"]["min_disparity"] == 1
     assert left["masks"]["all"]["bad_0_5"]["valid_only"] == 0
@@ -116,15 +125,18 @@ def test_configurations_against_the_truth_of_their_reference(tmp_path):
 def test_a_reference_without_truth_has_no_masks(tmp_path):
     arguments = shifted_pair(tmp_path)
     position = arguments.index("--truth-right")
-    del arguments[position:position + 2]
+    del arguments[position : position + 2]
     out, [method] = results(tmp_path, *arguments, "--config", "tiny", "--border", 0)
     assert method["masks"] == {} and "no true disparities of its right image" in out
 
 
 def test_opencv_finds_the_shift(tmp_path):
-    out, [bm, sgbm] = results(tmp_path, *shifted_pair(tmp_path, width=120, height=60), "--opencv", "bm", "--opencv", "sgbm",
-                              "--opencv-disparities", 16, "--opencv-block", 7)
-    assert [(m["name"], m["kind"], m["reference"]) for m in (bm, sgbm)] == [("StereoBM", "opencv", "left"), ("StereoSGBM", "opencv", "left")]
+    options = ["--opencv", "bm", "--opencv", "sgbm", "--opencv-disparities", 16, "--opencv-block", 7]
+    out, [bm, sgbm] = results(tmp_path, *shifted_pair(tmp_path, width=120, height=60), *options)
+    assert [(m["name"], m["kind"], m["reference"]) for m in (bm, sgbm)] == [
+        ("StereoBM", "opencv", "left"),
+        ("StereoSGBM", "opencv", "left"),
+    ]
     for method in (bm, sgbm):
         assert method["parameters"]["disparities"] == 16 and method["parameters"]["block_px"] == 7
         mask = method["masks"]["non_occluded"]
@@ -140,49 +152,79 @@ def test_the_table_comes_without_json(tmp_path, pair):
     assert "non_occluded" in out and "bad 0.5" in out and sorted(tmp_path.rglob("*")) == before
 
 
-@pytest.mark.parametrize("arguments, says", [
-    (["--config", "tiny"], ["--truth-left"]),
-    (["--truth-left", "T"], ["--config", "--opencv"]),
-    (["--truth-left", "T", "--config", "nope"], ["nope", "tiny"]),
-    (["--truth-left", "T", "--config", "tiny", "--set", "window=3"], ["--set window=3", "known are", "window_px"]),
-    (["--truth-left", "T", "--config", "tiny", "--set", "window_px"], ["--set window_px", "NAME=VALUE"]),
-    (["--truth-left", "T", "--config", "tiny", "--set", "median=yes"], ["--set median=yes", "false or true"]),
-    (["--truth-left", "T", "--config", "tiny", "--set", "disparities=40"], ["--config tiny", "32x12", "40"]),
-    (["--truth-left", "T", "--opencv", "bm", "--set", "window_px=3"], ["--set", "--config"]),
-    (["--truth-left", "T", "--opencv", "gc"], ["--opencv", "gc"]),
-    (["--truth-left", "T", "--opencv", "bm", "--opencv-disparities", "17"], ["17", "multiple of 16"]),
-    (["--truth-left", "T", "--opencv", "bm", "--opencv-block", "13"], ["13", "32x12", "5 to 11"]),
-    (["--truth-left", "T", "--opencv", "sgbm", "--opencv-block", "4"], ["--opencv-block 4", "odd"]),
-    (["--truth-left", "T", "--disparity", "T"], ["--disparity", "--reference"]),
-    (["--truth-left", "T", "--disparity", "T", "--reference", "both"], ["--reference", "both"]),
-    (["--truth-left", "T", "--truth-scale", "0", "--config", "tiny"], ["--truth-scale"]),
-    (["--truth-left", "T", "--truth-scale", "nan", "--config", "tiny"], ["--truth-scale", "no number above 0"]),
-    (["--truth-left", "GREY", "--truth-scale", "1e-300", "--config", "tiny"], ["--truth-left", "so small a scale"]),
-    (["--truth-left", "T", "--border", "-1", "--config", "tiny"], ["--border"]),
-    (["--truth-left", "no.pfm", "--config", "tiny"], ["no.pfm", "no such file"]),
-    (["--truth-left", "WIDE", "--config", "tiny"], ["--truth-left", "33x12", "32x12"]),
-    (["--truth-left", "T", "--disparity", "WIDE", "--reference", "left"], ["--disparity", "33x12"]),
-    (["--truth-left", "COLOUR", "--config", "tiny"], ["--truth-left", "colour"]),
-])
+@pytest.mark.parametrize(
+    "arguments, says",
+    [
+        (["--config", "tiny"], ["--truth-left"]),
+        (["--truth-left", "T"], ["--config", "--opencv"]),
+        (["--truth-left", "T", "--config", "nope"], ["nope", "tiny"]),
+        (["--truth-left", "T", "--config", "tiny", "--set", "window=3"], ["--set window=3", "known are", "window_px"]),
+        (["--truth-left", "T", "--config", "tiny", "--set", "window_px"], ["--set window_px", "NAME=VALUE"]),
+        (["--truth-left", "T", "--config", "tiny", "--set", "median=yes"], ["--set median=yes", "false or true"]),
+        (["--truth-left", "T", "--config", "tiny", "--set", "disparities=40"], ["--config tiny", "32x12", "40"]),
+        (["--truth-left", "T", "--opencv", "bm", "--set", "window_px=3"], ["--set", "--config"]),
+        (["--truth-left", "T", "--opencv", "gc"], ["--opencv", "gc"]),
+        (["--truth-left", "T", "--opencv", "bm", "--opencv-disparities", "17"], ["17", "multiple of 16"]),
+        (["--truth-left", "T", "--opencv", "bm", "--opencv-block", "13"], ["13", "32x12", "5 to 11"]),
+        (["--truth-left", "T", "--opencv", "sgbm", "--opencv-block", "4"], ["--opencv-block 4", "odd"]),
+        (["--truth-left", "T", "--disparity", "T"], ["--disparity", "--reference"]),
+        (["--truth-left", "T", "--disparity", "T", "--reference", "both"], ["--reference", "both"]),
+        (["--truth-left", "T", "--truth-scale", "0", "--config", "tiny"], ["--truth-scale"]),
+        (["--truth-left", "T", "--truth-scale", "nan", "--config", "tiny"], ["--truth-scale", "no number above 0"]),
+        (["--truth-left", "GREY", "--truth-scale", "1e-300", "--config", "tiny"], ["--truth-left", "so small a scale"]),
+        (["--truth-left", "T", "--border", "-1", "--config", "tiny"], ["--border"]),
+        (["--truth-left", "no.pfm", "--config", "tiny"], ["no.pfm", "no such file"]),
+        (["--truth-left", "WIDE", "--config", "tiny"], ["--truth-left", "33x12", "32x12"]),
+        (["--truth-left", "T", "--disparity", "WIDE", "--reference", "left"], ["--disparity", "33x12"]),
+        (["--truth-left", "COLOUR", "--config", "tiny"], ["--truth-left", "colour"]),
+    ],
+)
 def test_wrong_usage(tmp_path, evaluate, arguments, says):
-    files = {"T": pfm(tmp_path / "t.pfm", lambda x, y: 3), "WIDE": pfm(tmp_path / "w.pfm", lambda x, y: 3, width=WIDTH + 1),
-             "GREY": write_image(tmp_path / "g.pgm"), "COLOUR": write_image(tmp_path / "c.ppm", channels=3)}
+    files = {
+        "T": pfm(tmp_path / "t.pfm", lambda x, y: 3),
+        "WIDE": pfm(tmp_path / "w.pfm", lambda x, y: 3, width=WIDTH + 1),
+        "GREY": write_image(tmp_path / "g.pgm"),
+        "COLOUR": write_image(tmp_path / "c.ppm", channels=3),
+    }
     fail(tmp_path, *evaluate, *[files.get(word, word) for word in arguments], says=says)
 
 
-@pytest.mark.parametrize("content, says", [
-    (b"", "broken off"), (b"Pf\n32 12\n-1\n", "0 bytes of pixels"), (b"Pf\n60000 60000\n-1\nxxxx", "14400000000"),
-    (b"Pf\n0 12\n-1\n", "width of 0"), (b"PF\n32 12\n-1\n", "colour"),
-    (b"Pf\n32 12\n-1\n" + struct.pack("<f", float("nan")) * 384, "0,11 is no disparity")])
+@pytest.mark.parametrize(
+    "content, says",
+    [
+        (b"", "broken off"),
+        (b"Pf\n32 12\n-1\n", "0 bytes of pixels"),
+        (b"Pf\n60000 60000\n-1\nxxxx", "14400000000"),
+        (b"Pf\n0 12\n-1\n", "width of 0"),
+        (b"PF\n32 12\n-1\n", "colour"),
+        (b"Pf\n32 12\n-1\n" + struct.pack("<f", float("nan")) * 384, "0,11 is no disparity"),
+    ],
+)
 def test_hostile_pfm(tmp_path, evaluate, content, says):
     (tmp_path / "h.pfm").write_bytes(content)
-    fail(tmp_path, *evaluate, "--truth-left", tmp_path / "h.pfm", "--config", "tiny", says=["--truth-left", "h.pfm", says])
+    fail(
+        tmp_path,
+        *evaluate,
+        "--truth-left",
+        tmp_path / "h.pfm",
+        "--config",
+        "tiny",
+        says=["--truth-left", "h.pfm", says],
+    )
 
 
 @pytest.mark.parametrize("content", [b"P5\n60000 60000\n255\n", b"P5\n-3 4\n255\n", b"\x89PNG\r\n\x1a\n", b"GIF89a"])
 def test_hostile_images(tmp_path, evaluate, content):
     (tmp_path / "h.png").write_bytes(content)
-    fail(tmp_path, *evaluate, "--truth-left", tmp_path / "h.png", "--config", "tiny", says=["--truth-left", "h.png", "not an image"])
+    fail(
+        tmp_path,
+        *evaluate,
+        "--truth-left",
+        tmp_path / "h.png",
+        "--config",
+        "tiny",
+        says=["--truth-left", "h.png", "not an image"],
+    )
 
 
 def test_json_that_cannot_be_written(tmp_path, evaluate):

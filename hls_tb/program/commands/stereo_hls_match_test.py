@@ -6,8 +6,19 @@ import random
 
 import pytest
 
-from stereo_hls_program import (DISPARITIES, HEIGHT, PROGRAM, WIDTH, changed, fail, gray_image, png_depth, png_size,
-                                succeed, write_image)
+from stereo_hls_program import (
+    DISPARITIES,
+    HEIGHT,
+    PROGRAM,
+    WIDTH,
+    changed,
+    fail,
+    gray_image,
+    png_depth,
+    png_size,
+    succeed,
+    write_image,
+)
 
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
 
@@ -36,17 +47,40 @@ def test_match_writes_its_facts(tmp_path, match, pair):
     facts = match_facts(tmp_path)
     assert facts.pop("milliseconds") >= 0
     assert facts == {
-        "format": "stereo-hls match 1", "config": "tiny", "engine": "fast", "left": str(pair[1]), "right": str(pair[3]),
-        "fit": "none", "width_px": WIDTH, "height_px": HEIGHT, "disparities": DISPARITIES, "window_px": 3,
-        "min_disparity": 0, "reference": "right", "cost": "sad", "census_width_px": 5, "census_height_px": 5,
-        "prefilter": "none", "prefilter_cap": 31, "ties": "smallest", "left_right_threshold": -1,
-        "uniqueness_percent": 0, "texture_threshold": 0, "subpixel": False, "median": False,
-        "output_width_px": WIDTH - DISPARITIES, "output_height_px": HEIGHT, "output_first_column": 0,
-        "disparity_steps_per_px": 1, "density": 1}
+        "format": "stereo-hls match 1",
+        "config": "tiny",
+        "engine": "fast",
+        "left": str(pair[1]),
+        "right": str(pair[3]),
+        "fit": "none",
+        "width_px": WIDTH,
+        "height_px": HEIGHT,
+        "disparities": DISPARITIES,
+        "window_px": 3,
+        "min_disparity": 0,
+        "reference": "right",
+        "cost": "sad",
+        "census_width_px": 5,
+        "census_height_px": 5,
+        "prefilter": "none",
+        "prefilter_cap": 31,
+        "ties": "smallest",
+        "left_right_threshold": -1,
+        "uniqueness_percent": 0,
+        "texture_threshold": 0,
+        "subpixel": False,
+        "median": False,
+        "output_width_px": WIDTH - DISPARITIES,
+        "output_height_px": HEIGHT,
+        "output_first_column": 0,
+        "disparity_steps_per_px": 1,
+        "density": 1,
+    }
 
 
 def configurations():
-    """The families of the tests and of the demo, and OpenCV's: the others are large, or only measure what an option costs."""
+    """The families of the tests and of the demo, and OpenCV's: the others are large, or only measure what an option
+    costs."""
     table = json.loads(succeed("configurations", "--json")) if PROGRAM else {}
     return sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
 
@@ -117,15 +151,22 @@ def test_match_counts_bad_pixels(tmp_path, match):
     columns = WIDTH - DISPARITIES
     assert f"bad pixels (> 1 px): {columns} of {columns * (HEIGHT - 1)} visible ones (9.09 %)" in out
     assert match_facts(tmp_path)["truth"] == {
-        "disparity": str(truth), "visible": str(visible), "tolerance_px": 1, "compared_px": columns * (HEIGHT - 1),
-        "bad_px": columns, "invalid_px": 0}
+        "disparity": str(truth),
+        "visible": str(visible),
+        "tolerance_px": 1,
+        "compared_px": columns * (HEIGHT - 1),
+        "bad_px": columns,
+        "invalid_px": 0,
+    }
 
 
 def test_match_on_the_generated_scene_is_mostly_right(tmp_path, match):
     succeed("scene", "--out", tmp_path / "s", "--seed", 1, "--config", "tiny")
     for option, name in (("--left", "left.png"), ("--right", "right.png")):
         match = changed(match, option, tmp_path / "s" / name)
-    succeed(*match, "--truth", tmp_path / "s" / "disparity_right.png", "--visible", tmp_path / "s" / "visible_right.png")
+    succeed(
+        *match, "--truth", tmp_path / "s" / "disparity_right.png", "--visible", tmp_path / "s" / "visible_right.png"
+    )
     truth = match_facts(tmp_path)["truth"]
     assert 0 < truth["compared_px"] <= (WIDTH - DISPARITIES) * HEIGHT and truth["bad_px"] < 0.1 * truth["compared_px"]
 

@@ -5,7 +5,9 @@ import os
 import random
 import subprocess
 
-PROGRAM = os.environ.get("STEREO_HLS", "") and os.path.abspath(os.environ["STEREO_HLS"])  # tests run it in other folders
+PROGRAM = os.environ.get("STEREO_HLS", "") and os.path.abspath(
+    os.environ["STEREO_HLS"]
+)  # tests run it in other folders
 WIDTH, HEIGHT, DISPARITIES = 32, 12, 8  # configuration tiny, as test_configurations_as_json checks
 
 
@@ -21,7 +23,8 @@ def succeed(*arguments):
 
 
 def fail(folder, *arguments, says):
-    """Exit code 2, one line on stderr with all of `says` in it, nothing written. Runs in the folder: relative paths end there."""
+    """Exit code 2, one line on stderr with all of `says` in it, nothing written. Runs in the folder: relative paths end
+    there."""
     before = sorted(folder.rglob("*"))
     result = run(*arguments, cwd=folder)
     assert result.returncode == 2, result.stderr

@@ -16,7 +16,9 @@ def folder(tmp_path, name, frames=FRAMES, width=WIDTH, height=HEIGHT, channels=1
     path = tmp_path / name
     path.mkdir()
     for number in range(frames):
-        write_image(path / f"{number:03}.{'pgm' if channels == 1 else 'ppm'}", width, height, channels, seed=f"{name} {number}")
+        write_image(
+            path / f"{number:03}.{'pgm' if channels == 1 else 'ppm'}", width, height, channels, seed=f"{name} {number}"
+        )
     return path
 
 
@@ -37,7 +39,11 @@ def names(path):
 def test_folders_to_a_folder(tmp_path, video, cameras):
     (tmp_path / "l" / "notes.txt").write_text("no image")
     out = succeed(*video, *cameras)
-    rates = re.search(rf"^{FRAMES} frames of {WIDTH}x{HEIGHT}: ([0-9.]+) frames a second in the matching alone, ([0-9.]+) overall$", out, re.M)
+    rates = re.search(
+        rf"^{FRAMES} frames of {WIDTH}x{HEIGHT}: ([0-9.]+) frames a second in the matching alone, ([0-9.]+) overall$",
+        out,
+        re.M,
+    )
     assert rates and float(rates[1]) >= float(rates[2]) > 0
     assert names(tmp_path / "out") == [f"frame_{number:06}.png" for number in range(FRAMES)]
     assert {png_size(p) for p in (tmp_path / "out").iterdir()} == {(2 * WIDTH, HEIGHT)}
@@ -81,7 +87,7 @@ def avi_frames(path):
     data = path.read_bytes()
     assert data[:4] == b"RIFF" and data[8:12] == b"AVI " and b"MJPG" in data[:300]
     header = data.index(b"avih") + 8
-    said, width, height = (int.from_bytes(data[header + at:header + at + 4], "little") for at in (16, 32, 36))
+    said, width, height = (int.from_bytes(data[header + at : header + at + 4], "little") for at in (16, 32, 36))
     return said, data.count(b"\xff\xd8\xff"), (width, height)
 
 
@@ -106,8 +112,8 @@ def test_side_by_side_is_the_same_as_two_folders(tmp_path, video, cameras):
     both = tmp_path / "both"
     both.mkdir()
     for left, right in zip(sorted((tmp_path / "l").iterdir()), sorted((tmp_path / "r").iterdir())):
-        halves = [p.read_bytes()[-WIDTH * HEIGHT:] for p in (left, right)]
-        rows = (half[y * WIDTH:(y + 1) * WIDTH] for y in range(HEIGHT) for half in halves)
+        halves = [p.read_bytes()[-WIDTH * HEIGHT :] for p in (left, right)]
+        rows = (half[y * WIDTH : (y + 1) * WIDTH] for y in range(HEIGHT) for half in halves)
         (both / left.name).write_bytes(f"P5\n{2 * WIDTH} {HEIGHT}\n255\n".encode() + b"".join(rows))
     succeed(*video, *cameras)
     expected = [p.read_bytes() for p in sorted((tmp_path / "out").iterdir())]
@@ -157,8 +163,20 @@ def test_frames_that_do_not_fit(tmp_path, video, cameras, sink):
     fewer = folder(tmp_path, "fewer", FRAMES - 1)
     fail(tmp_path, *video, *cameras[:3], fewer, says=["--right", f"after {FRAMES - 1} frames"])
     fail(tmp_path, *video, "--left", fewer, *cameras[2:], says=["--left", f"after {FRAMES - 1} frames"])
-    fail(tmp_path, *video, *cameras[:3], folder(tmp_path, "wide", width=WIDTH + 1), says=["differ in size", "32x12", "33x12"])
-    fail(tmp_path, *video, "--side-by-side", folder(tmp_path, "odd", width=2 * WIDTH + 1), says=["--side-by-side", "65 pixels wide"])
+    fail(
+        tmp_path,
+        *video,
+        *cameras[:3],
+        folder(tmp_path, "wide", width=WIDTH + 1),
+        says=["differ in size", "32x12", "33x12"],
+    )
+    fail(
+        tmp_path,
+        *video,
+        "--side-by-side",
+        folder(tmp_path, "odd", width=2 * WIDTH + 1),
+        says=["--side-by-side", "65 pixels wide"],
+    )
     write_image(tmp_path / "l" / "002.pgm", WIDTH, HEIGHT + 1)
     fail(tmp_path, *video, *cameras, says=["002.pgm", "32x13", "32x12"])
     (tmp_path / "l" / "002.pgm").write_bytes(b"P5")

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How every command of this project ends."""
+
+import argparse
+import os
+import signal
+import sys
+from collections.abc import Callable
+from typing import NoReturn
+
+EXIT_OK = 0
+EXIT_MISMATCH = 1  # the job ran, and its answer is no: outputs differ, or the VHDL is stale
+EXIT_USAGE = 2  # wrong options or unusable input
+EXIT_MISSING_TOOL = 3  # a program this step needs is not installed
+EXIT_TOOL_FAILED = 4  # a tool crashed, hung, or gave something this flow does not understand
+
+EXIT_CODES_HELP = "exit codes: 0 done, 1 the result differs, 2 bad usage or input, 3 missing tool, 4 a tool failed"
+
+
+class FlowError(Exception):
+    """One sentence for the user and the exit code that goes with it."""
+
+    def __init__(self, message: str, exit_code: int = EXIT_USAGE) -> None:
+        super().__init__(message)
+        self.exit_code = exit_code
+
+
+class ArgumentParser(argparse.ArgumentParser):
+    """argparse that says one sentence on stderr instead of the whole usage."""
+
+    def __init__(self, prog: str, description: str | None) -> None:
+        super().__init__(prog=prog, description=description, epilog=EXIT_CODES_HELP)
+
+    def error(self, message: str) -> NoReturn:
+        raise FlowError(f"{message} (see {self.prog} --help)")
+
+
+def run_command(main: Callable[[], int]) -> NoReturn:
+    """Runs a command's main function and turns FlowError and OSError into one line on stderr and the exit code."""
+    program = sys.argv[0].rsplit("/", 1)[-1]
+    try:
+        code = main()
+        sys.stdout.flush()
+        sys.exit(code)
+    except FlowError as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        sys.exit(error.exit_code)
+    except BrokenPipeError:  # whoever read our output has seen enough, as `head` does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # nothing is left to be flushed into the pipe
+        sys.exit(128 + signal.SIGPIPE)
+    except OSError as error:  # a file or folder that is not what the command needs
+        print(f"{program}: {error.filename or 'a file'}: {error.strerror or error}", file=sys.stderr)
+        sys.exit(EXIT_USAGE)
+    except KeyboardInterrupt:
+        print(f"{program}: interrupted", file=sys.stderr)
+        sys.exit(130)

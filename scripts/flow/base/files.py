@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that are there whole or as they were before."""
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
+from .tools import ROOT
+
+
+def write(path: Path, content: str | bytes) -> None:
+    """The whole file or none."""
+    temporary = None
+    data = content.encode() if isinstance(content, str) else content
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile("wb", dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
+            temporary = Path(file.name)
+            file.write(data)
+        temporary.chmod(0o644)
+        os.replace(temporary, path)
+    except OSError as error:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+        raise FlowError(f"cannot write {path}: {error.strerror}") from None
+
+
+def update(texts: Mapping[Path, str], check: bool, command: str) -> int:
+    """For a command that makes committed files. Writes those of {path: text} that differ, or with `check` refuses them;
+    returns the exit code. `command` makes them again."""
+    stale = [path for path, text in texts.items() if not path.is_file() or path.read_text() != text]
+    names = {path: path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else str(path) for path in texts}
+    if check and stale:
+        raise FlowError(f"not up to date: {', '.join(names[path] for path in stale)}; run {command}", EXIT_MISMATCH)
+    for path, text in texts.items():
+        if path in stale:
+            write(path, text)
+        print(f"wrote {names[path]}" if path in stale else f"{names[path]} is up to date")
+    return EXIT_OK

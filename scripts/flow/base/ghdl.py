@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What simulations, proofs and implementations have in common: VHDL through GHDL."""
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from .errors import EXIT_TOOL_FAILED, FlowError
+from .tools import find_ghdl, run
+
+STANDARD = "--std=08"
+Generics = Mapping[str, int | str]  # of a top
+
+
+def version() -> str:
+    match = re.match(r"GHDL \S+", run([find_ghdl(), "--version"]))
+    if not match:
+        raise FlowError("ghdl --version does not say its version as GHDL does", EXIT_TOOL_FAILED)
+    return match.group()
+
+
+def analyse(files: Iterable[Path], work: Path, log: str = "analyse.log") -> None:
+    """`ghdl -a` of the files, in compile order, in the folder `work`."""
+    run([find_ghdl(), "-a", STANDARD, *files], cwd=work, log=work / log)
+
+
+def options_of(generics: Generics | None) -> list[str]:
+    return [f"-g{name}={value}" for name, value in (generics or {}).items()]
+
+
+def to_verilog(files: Iterable[Path], work: Path, top: str = "stereo_core", generics: Generics | None = None) -> str:
+    """The design as Verilog text, by `ghdl --synth`."""
+    folder = work / "synth"
+    folder.mkdir(parents=True, exist_ok=True)
+    analyse(files, folder)
+    log = folder / "synth.log"
+    command = [find_ghdl(), "--synth", STANDARD, *options_of(generics), "--out=verilog", top]
+    verilog = run(command, cwd=folder, log=log)
+    lost = re.search(r".*warning: no assignment for offset.*", log.read_text())
+    if lost:
+        raise FlowError(f"ghdl --synth leaves bits without a value: {lost.group()}", EXIT_TOOL_FAILED)
+    if f"module {top}" not in verilog:
+        raise FlowError(f"ghdl --synth did not write a module {top}", EXIT_TOOL_FAILED)
+    return verilog

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Finds the programs this flow calls, and calls them."""
+
+import os
+import selectors
+import shutil
+import subprocess
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, EXIT_USAGE, FlowError
+
+ROOT = Path(__file__).resolve().parents[3]
+GENERATED_RTL = ROOT / "generated_rtl"
+BAMBU_DOWNLOAD = "https://release.bambuhls.eu"
+
+Word = str | Path | int | float  # of a command
+Say = Callable[[str], None]  # takes a line for the user
+
+
+def find_tool(name: str, variable: str | None = None, hint: str = "") -> str:
+    """Path of a program: from the environment variable if set, else from PATH."""
+    chosen = os.environ.get(variable or "") or name
+    path = shutil.which(chosen)
+    if path is None:
+        where = f"{variable}={chosen}" if chosen != name else f"PATH{' or ' + variable if variable else ''}"
+        raise FlowError(f"{name} not found in {where}{'; ' + hint if hint else ''}", EXIT_MISSING_TOOL)
+    return path
+
+
+def find_bambu() -> str:
+    return find_tool("bambu", "BAMBU", f"download its AppImage from {BAMBU_DOWNLOAD} and set BAMBU to its path")
+
+
+def find_ghdl() -> str:
+    return find_tool("ghdl", "GHDL", "on Debian: apt-get install ghdl-mcode")
+
+
+def find_verilator() -> str:
+    return find_tool("verilator", "VERILATOR", "on Debian: apt-get install verilator")
+
+
+def find_yosys() -> str:
+    return find_tool("yosys", "YOSYS", "on Debian: apt-get install yosys")
+
+
+def find_stereo_hls() -> str:
+    """The native program: STEREO_HLS, else the build folders of the CMake presets."""
+    chosen = os.environ.get("STEREO_HLS")
+    candidates = [Path(chosen)] if chosen else [ROOT / "build" / p / "stereo_hls" for p in ("release", "ci", "debug")]
+    for candidate in candidates:
+        if candidate.is_file() and os.access(candidate, os.X_OK):
+            return str(candidate)
+    raise FlowError(
+        f"stereo_hls not found at {candidates[0]}; build it with: cmake --preset release && "
+        "cmake --build --preset release",
+        EXIT_MISSING_TOOL,
+    )
+
+
+def find_native(name: str) -> str:
+    """A program of the native build that stands beside stereo_hls."""
+    path = Path(find_stereo_hls()).parent / name
+    if not path.is_file():
+        build = path.parents[name.count("/")]
+        raise FlowError(
+            f"{path} is not built; make it with: cmake --build {build} --target {path.name}", EXIT_MISSING_TOOL
+        )
+    return str(path)
+
+
+def run(command: Iterable[Word], cwd: Path | None = None, log: Path | None = None, passes_errors: bool = False) -> str:
+    """Runs a program to its end and returns its standard output.
+
+    With `log`, everything it prints goes to that file. With `passes_errors`, the program is one of ours: its own
+    sentence on stderr becomes ours, and so does its exit code, unless it broke off.
+    """
+    words = [str(word) for word in command]
+    result = subprocess.run(words, cwd=cwd, text=True, errors="replace", capture_output=True, stdin=subprocess.DEVNULL)
+    if log is not None:
+        log.write_text(result.stdout + result.stderr)
+    if result.returncode != 0:
+        lines = (result.stderr or result.stdout).strip().splitlines() or ["no message"]
+        if passes_errors:
+            ours = result.returncode in (EXIT_USAGE, EXIT_MISSING_TOOL)
+            raise FlowError(lines[-1].removeprefix("stereo_hls: "), result.returncode if ours else EXIT_TOOL_FAILED)
+        name = Path(words[0]).name
+        where = f"; see {log}" if log is not None else ""
+        raise FlowError(f"{name} failed with exit code {result.returncode}: {lines[-1]}{where}", EXIT_TOOL_FAILED)
+    return result.stdout
+
+
+def run_with_progress(
+    command: Iterable[Word], on_line: Callable[[str], object], watchdog_seconds: float, cwd: Path | None = None
+) -> float:
+    """Runs a simulator, hands each line it prints to `on_line`, and ends it when it stays silent for too long.
+
+    Returns the seconds it took.
+    """
+    words = [str(word) for word in command]
+    name = Path(words[0]).name
+    started = time.monotonic()
+    tail: list[str] = []
+    with (
+        subprocess.Popen(
+            words,
+            cwd=cwd,
+            text=True,
+            errors="replace",
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            bufsize=1,
+        ) as process,
+        selectors.DefaultSelector() as selector,
+    ):
+        assert process.stdout is not None  # it is a pipe
+        selector.register(process.stdout, selectors.EVENT_READ)
+        while True:
+            if not selector.select(timeout=watchdog_seconds):
+                process.kill()
+                raise FlowError(f"{name} made no progress for {watchdog_seconds:g} s and was stopped", EXIT_TOOL_FAILED)
+            line = process.stdout.readline()
+            if not line:
+                break
+            tail = (tail + [line.strip()])[-5:]
+            on_line(line.strip())
+        code = process.wait()
+    if code != 0:
+        last_words = f": {' / '.join(tail)}" if tail else ""
+        raise FlowError(f"{name} failed with exit code {code}{last_words}", EXIT_TOOL_FAILED)
+    return time.monotonic() - started

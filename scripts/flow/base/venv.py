@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python packages that no Debian package brings, in virtual environments of the project's own under build/."""
+
+import os
+import sys
+from pathlib import Path
+
+from .errors import EXIT_MISSING_TOOL, FlowError
+from .tools import ROOT, Say, run
+
+PYTHON = "/usr/bin/python3"
+
+
+def ensure(name: str, requirements: Path, what: str, say: Say = print) -> Path:
+    """The folder bin/ of build/NAME with everything that the file `requirements` names; installed when it is not there
+    yet. `what`: the package in the words of the message."""
+    folder, wanted = ROOT / "build" / name, requirements.read_text()
+    stamp = folder / "requirements.txt"
+    if not (os.access(folder / "bin" / "python3", os.X_OK) and stamp.is_file() and stamp.read_text() == wanted):
+        say(f"installing {what} from PyPI into {folder.relative_to(ROOT)} ...")
+        _install(folder, requirements, what)
+        stamp.write_text(wanted)
+    return folder / "bin"
+
+
+def _install(folder: Path, requirements: Path, what: str) -> None:
+    python = PYTHON if os.access(PYTHON, os.X_OK) else sys.executable
+    log = folder.parent / f"{folder.name}.log"
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        run([python, "-m", "venv", "--system-site-packages", folder], log=log)
+    except FlowError:
+        raise FlowError(
+            f"cannot make {folder}; on Debian: apt-get install python3-venv; see {log}", EXIT_MISSING_TOOL
+        ) from None
+    try:
+        install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]
+        run([folder / "bin" / "python3", *install, requirements], log=log)
+    except FlowError:
+        raise FlowError(
+            f"{what} is not installed and cannot be fetched from PyPI (offline?); see {log}", EXIT_MISSING_TOOL
+        ) from None

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The ways to run the VHDL. Each reads a stimulus file and writes an observed file (see vectors.py)."""
+
+import hashlib
+import os
+import shutil
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+
+from ..base import ghdl
+from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress
+from . import vcd, waveform
+
+BENCH = ROOT / "hls_tb" / "cosim"
+VERILATOR_OPTIONS = ["--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--output-split", "20000", "-Wno-fatal"]
+Clocks = tuple[int, int]  # first and last
+
+
+class Simulator:
+    """Builds a simulation of some VHDL files once, then runs it any number of times."""
+
+    name = ""
+    wave_suffixes: tuple[str, ...] = ()
+
+    def __init__(
+        self, vhdl_files: Iterable[Path], work: Path, pixels: int = 1, disparity_bits: int = 8, trace: bool = False
+    ) -> None:
+        self.pixels = pixels  # pairs a clock
+        self.disparity_bits = disparity_bits  # of one pixel
+        self.vhdl_files = list(vhdl_files)
+        self.work = work
+        self.trace = trace
+
+    def _bench_files(self) -> list[Path]:
+        raise NotImplementedError
+
+    def _build(self) -> None:
+        raise NotImplementedError
+
+    def build(self) -> None:
+        makers = [Path(__file__), Path(ghdl.__file__)]
+        build_once(self.work, [*self.vhdl_files, *self._bench_files(), *makers], self.trace, self._build)
+
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
+        raise NotImplementedError
+
+    def run(
+        self,
+        stimulus: Path,
+        observed: Path,
+        on_clock: Callable[[int], object],
+        watchdog_seconds: float,
+        wave: Path | None = None,
+        wave_clocks: Clocks = (0, 0),
+    ) -> float:
+        """Simulates the whole stimulus; returns the seconds it took. `wave_clocks`: what to dump."""
+        observed.unlink(missing_ok=True)
+        command = self._command(stimulus.resolve(), observed.resolve(), wave, wave_clocks)
+
+        def on_line(line: str) -> None:
+            if line.startswith("progress "):
+                on_clock(int(line.split()[1]))
+
+        return run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
+
+
+def build_once(work: Path, files: Iterable[Path], options: object, build: Callable[[], None]) -> None:
+    """Calls `build` in the empty folder `work`, unless the same files and options were built there before."""
+    key = hashlib.sha256(repr(options).encode())
+    for path in files:
+        key.update(str(path.resolve()).encode())  # GHDL looks at the file again when it runs
+        key.update(path.read_bytes())
+    stamp = work / "built"
+    if stamp.is_file() and stamp.read_text() == key.hexdigest():
+        return
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    build()
+    stamp.write_text(key.hexdigest())
+
+
+class Ghdl(Simulator):
+    """The judge: a VHDL simulator on the VHDL as it is."""
+
+    name = "ghdl"
+    wave_suffixes = (".ghw", ".fst", ".vcd")
+
+    def _bench_files(self) -> list[Path]:
+        return [BENCH / "tb_stereo_core.vhd"]
+
+    def _build(self) -> None:
+        self._elaborate([*self.vhdl_files, *self._bench_files()])
+
+    def _elaborate(self, files: Iterable[Path]) -> None:
+        ghdl.analyse(files, self.work)
+        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
+
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
+        generics = ghdl.options_of(
+            {
+                "pixels": self.pixels,
+                "disparity_bits": self.disparity_bits,
+                "stimulus_file": str(stimulus),
+                "observed_file": str(observed),
+            }
+        )
+        command: list[Word] = [find_ghdl(), "-r", ghdl.STANDARD, "tb_stereo_core", *generics]
+        if wave is not None:
+            # GHDL always dumps from the start; the stop time bounds the end.
+            option = {".ghw": "--wave", ".fst": "--fst", ".vcd": "--vcd"}[wave.suffix]
+            command += [f"{option}={wave}", f"--stop-time={waveform.start_ns(wave_clocks[1] + 1)}ns"]
+        return command
+
+    def run(
+        self,
+        stimulus: Path,
+        observed: Path,
+        on_clock: Callable[[int], object],
+        watchdog_seconds: float,
+        wave: Path | None = None,
+        wave_clocks: Clocks = (0, 0),
+    ) -> float:
+        """A .vcd has the clocks that were asked for: GHDL writes all into a pipe, and they are cut out at its other
+        end."""
+        if wave is None or wave.suffix != ".vcd":
+            return super().run(stimulus, observed, on_clock, watchdog_seconds, wave, wave_clocks)
+        pipe = self.work / "wave.vcd"
+        pipe.unlink(missing_ok=True)
+        os.mkfifo(pipe)
+        # Opened for both directions, so that neither end waits for the other to open it.
+        keeper = os.open(pipe, os.O_RDWR)
+        cutter = threading.Thread(target=_cut, args=(pipe, wave, *map(waveform.start_ns, wave_clocks)))
+        cutter.start()
+        try:
+            return super().run(stimulus, observed, on_clock, watchdog_seconds, pipe, wave_clocks)
+        finally:
+            os.close(keeper)
+            cutter.join()
+            pipe.unlink()
+
+
+def _cut(pipe: Path, path: Path, first_ns: int, last_ns: int) -> None:
+    with pipe.open(encoding="ascii") as lines, path.open("w", encoding="ascii") as result:
+        vcd.cut(lines, result.write, first_ns, last_ns)
+
+
+class Original(Ghdl):
+    """Bambu's own VHDL with its component library in GHDL, to prove the lowering. Needs a run of synthesize.py on this
+    machine; `vhdl_files` are the tool's files, memory images included."""
+
+    name = "original"
+
+    def _bench_files(self) -> list[Path]:
+        return [BENCH / "bambu_read_port.vhd", BENCH / "bambu_original.vhd", *super()._bench_files()]
+
+    def _build(self) -> None:
+        library = self.work / "library"
+        library.mkdir()
+        sources: list[Path] = []
+        for path in self.vhdl_files:
+            if path.suffix == ".mem":
+                shutil.copy(path, self.work)
+            elif path.name == "stereo_core.vhd":
+                sources.insert(0, path)
+            else:
+                # Each component file brings the same package; one copy, in the design itself, is enough.
+                copy = library / path.name.replace("\\", "")
+                copy.write_text(path.read_text().rpartition("end package body;")[2])
+                sources.append(copy)
+        template = (BENCH / "bambu_read_port.vhd").read_text()
+        for port in ("left_pixel", "right_pixel", "start_of_frame", "valid"):
+            copy = library / f"{port}.vhd"
+            copy.write_text(template.replace("PORT", port))
+            sources.append(copy)
+        log = self.work / "library.log"
+        run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=self.work, log=log)
+        self._elaborate(self._bench_files()[1:])
+
+
+class Verilator(Simulator):
+    """The same VHDL through `ghdl --synth`, for whole frames."""
+
+    name = "verilator"
+    wave_suffixes = (".fst",)
+
+    def _bench_files(self) -> list[Path]:
+        return [BENCH / "verilator_bench.cpp"]
+
+    def _build(self) -> None:
+        options = ["--trace-fst"] if self.trace else []
+        verilate(self.work, self.vhdl_files, "stereo_core", self._bench_files(), options=options)
+
+    def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
+        dump: list[Word] = [] if wave is None else [wave, *wave_clocks]
+        return [verilated_bench(self.work), stimulus, observed, *dump]
+
+
+def verilate(
+    work: Path,
+    vhdl_files: Iterable[Path],
+    top: str,
+    bench_files: Iterable[Path],
+    generics: ghdl.Generics | None = None,
+    options: Sequence[str] = (),
+) -> None:
+    """Compiles a design and its C++ bench to the program verilated_bench(work)."""
+    verilator = find_verilator()
+    source = work / f"{top}.v"
+    source.write_text(ghdl.to_verilog(vhdl_files, work, top, generics))
+    command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options, "-CFLAGS", "-O2"]
+    command += ["--top-module", top, "--Mdir", work / "model", "-o", "bench", source, *bench_files]
+    run(command, cwd=work, log=work / "verilator.log")
+
+
+def verilated_bench(work: Path) -> Path:
+    return work / "model" / "bench"
+
+
+SIMULATORS: dict[str, type[Simulator]] = {simulator.name: simulator for simulator in (Ghdl, Verilator, Original)}

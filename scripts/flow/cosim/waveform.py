@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The signals that matter at a mismatch: their groups, a save file for GTKWave, and a table for a page."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple, TypedDict
+
+from .vcd import Values
+from .vectors import Seen
+
+CORE = "tb_stereo_core.dut."
+CLOCK_NS = 10
+FIRST_CLOCK_NS = 20  # after two clocks of reset
+CLOCKS_BEFORE = 8  # in a page's table
+CLOCKS_AFTER = 3
+_ZOOM = "-6.0"  # of GTKWave: some 30 clocks in its window
+_HEXADECIMAL, _DECIMAL, _BINARY = "22", "24", "28"
+_OPEN, _CLOSED = ("@800200", "@1000200"), ("@c00200", "@1401200")
+
+
+class Group(NamedTuple):
+    title: str
+    pattern: str  # of the names in the core
+    on_page: bool  # shown in the page's table
+    is_open: bool  # in GTKWave
+
+
+GROUPS = [
+    Group("inputs", r"reset|start_of_frame|valid|left_pixel|right_pixel", True, True),
+    Group("outputs", r"disparity|pixel_valid|disparity_(valid|start_of_frame|end_of_line)", True, True),
+    Group("place in the frame", r"raster_(column|group|valid)", True, True),
+    Group(
+        "winner's path: the best of each slice",
+        r"slice\d+best_(cost|index)_\d+_\d+|slice\d+best_tag_valid",
+        on_page=True,
+        is_open=True,
+    ),
+    Group("after the winner", r"(refinement|leftright|texture|median)_\w+", False, False),
+    Group("winner trees", r"slice\d+winner\d+_\w+", False, False),
+    Group("window sums", r"slice\d+window_sum_\w+", False, False),
+]
+
+
+class ShownGroup(TypedDict):
+    title: str
+    signals: list[tuple[str, list[str]]]  # (name, value in each clock)
+
+
+@dataclass(frozen=True)
+class Table:
+    simulator: str
+    clock: int  # of the mismatch
+    first: int  # clocks that the dump has
+    last: int
+    clocks: list[int]
+    groups: list[ShownGroup]
+    command: str
+
+
+def start_ns(clock: int) -> int:
+    """When a clock begins, and the bench reads the outputs."""
+    return FIRST_CLOCK_NS + CLOCK_NS * clock
+
+
+def _groups(values: Values) -> list[tuple[Group, list[str]]]:
+    """Each group with the names that the dump has, without the empty ones."""
+    core = [name for name in values.names if name.startswith(CORE)]
+    found = [(group, [name for name in core if re.fullmatch(group.pattern, _short(name))]) for group in GROUPS]
+    return [
+        (group, sorted(names, key=_natural) if group.title.startswith("w") else names)
+        for group, names in found
+        if names
+    ]
+
+
+def _short(name: str) -> str:
+    return name[len(CORE) :]
+
+
+def _natural(name: str) -> list[int | str]:
+    """slice10 after slice9."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
+
+
+def save_file(dump: Path, clock: int) -> str:
+    """The text of a .gtkw for a dump, with a marker where the clock begins."""
+    values = Values(dump)
+    lines = [
+        "[*] Made by scripts/cosim.py",
+        f'[dumpfile] "{dump.name}"',
+        f"[timestart] {max(start_ns(clock) - 18 * CLOCK_NS, 0)}",
+        "[size] 1600 900",
+        "[sst_width] 220",
+        "[signals_width] 370",
+        f"*{_ZOOM} {start_ns(clock)}" + " -1" * 26,
+        "@28",
+        f"{CORE}clock",
+    ]
+    for group, names in _groups(values):
+        begin, end = _OPEN if group.is_open else _CLOSED
+        lines += [begin, f"-{group.title}"]
+        for name in names:
+            pixels = _short(name) in ("left_pixel", "right_pixel", "disparity")
+            base = _HEXADECIMAL if pixels else _BINARY if values.bits(name) == 1 else _DECIMAL
+            lines += [f"@{base}", values.label(name)]
+        lines += [end, f"-{group.title}"]
+    return "\n".join(lines) + "\n"
+
+
+def table(dump: Path, clock: int, simulator: str, command: str, first: int, last: int) -> Table:
+    values = Values(dump)
+    clocks = list(range(max(first, clock - CLOCKS_BEFORE), min(last, clock + CLOCKS_AFTER) + 1))
+
+    def shown(name: str) -> list[str]:
+        return [_shown(values.at(name, start_ns(c)), values.bits(name)) for c in clocks]
+
+    groups: list[ShownGroup] = [
+        {"title": group.title, "signals": [(_short(name), shown(name)) for name in names]}
+        for group, names in _groups(values)
+        if group.on_page
+    ]
+    return Table(simulator, clock, first, last, clocks, groups, command)
+
+
+def _shown(value: Seen | None, bits: int) -> str:
+    """Port words of several rows in hexadecimal, all else in decimal. Integers have 32 bits."""
+    if not isinstance(value, int):
+        return value or ""
+    return f"{value:0{bits // 4}x}" if 8 < bits != 32 else str(value)
+
+
+def output(dump: Path, clock: int) -> tuple[Seen | None, Seen | None]:
+    """(disparity_valid, disparity) that the dump's core shows in a clock."""
+    values = Values(dump)
+    return values.at(CORE + "disparity_valid", start_ns(clock)), values.at(CORE + "disparity", start_ns(clock))

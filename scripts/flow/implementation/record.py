@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""generated_rtl/NAME/implementation.json: area and clock of that VHDL on each FPGA family."""
+
+import json
+from pathlib import Path
+from typing import NotRequired, TypedDict, cast
+
+from ..base import files, json_files
+from ..synthesis.manifest import Digests, Manifest
+
+FORMAT = "stereo-hls implementation 1"
+FILE = "implementation.json"
+
+
+class Area(TypedDict):
+    luts: NotRequired[int]
+    aluts: NotRequired[int]  # where the family has these instead
+    ffs: int
+    memory_bits: int
+    block_rams: int
+    memory_in_flip_flops: bool
+    cells: dict[str, int]
+
+
+class Fmax(TypedDict):
+    median: float
+    best: float
+    by_seed: dict[str, float]
+
+
+# Of the slowest path between registers.
+CriticalPath = TypedDict("CriticalPath", {"from": str, "to": str, "block": str})
+
+
+class Routed(TypedDict):
+    """What place and route adds."""
+
+    seeds: list[int]
+    fmax_mhz: Fmax
+    lut_sites: int
+    critical_path: CriticalPath
+
+
+class Result(Area):
+    """One family."""
+
+    synthesis: str
+    tools: dict[str, str]  # their versions
+    device: NotRequired[str]  # this and the rest only where it was placed and routed
+    target_mhz: NotRequired[float]
+    seeds: NotRequired[list[int]]
+    fmax_mhz: NotRequired[Fmax]
+    lut_sites: NotRequired[int]
+    critical_path: NotRequired[CriticalPath]
+
+
+class Record(TypedDict):
+    format: str
+    configuration: str
+    vhdl_digest: Digests
+    targets: dict[str, Result]
+
+
+def read(directory: Path) -> Record | None:
+    """implementation.json of a folder, or None when there is none."""
+    path = directory / FILE
+    content = json_files.load_result(path, FORMAT)
+    if content is None:
+        return None
+    if not all(isinstance(content.get(key), dict) for key in ("targets", "vhdl_digest")):
+        raise json_files.damaged(path, FORMAT)
+    return cast(Record, content)
+
+
+def is_fresh(record: Record, entry: Manifest) -> bool:
+    """Whether a record was made from the VHDL that the manifest `entry` describes."""
+    return record["vhdl_digest"] == entry["files"]
+
+
+def merge(out: Path, entry: Manifest, target: str, result: Result) -> None:
+    """Adds one target's result to implementation.json. Results of other targets stay when they are of the same VHDL."""
+    record = read(out)
+    if record is None or not is_fresh(record, entry):
+        record = {
+            "format": FORMAT,
+            "configuration": entry["configuration"],
+            "vhdl_digest": entry["files"],
+            "targets": {},
+        }
+    record["targets"][target] = result
+    files.write(out / FILE, json.dumps(record, indent=2, sort_keys=True) + "\n")

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What generated_rtl/NAME/ says of one configuration: how it was made, its co-simulations, area and clock."""
+
+from ..base.configurations import Size
+from ..base.errors import EXIT_MISMATCH, FlowError
+from ..base.tools import GENERATED_RTL
+from ..cosim import record as cosim_record
+from ..synthesis import manifest
+from . import figures, record
+
+
+class Clock(figures.Speed):
+    """The routed clock, and what follows from it."""
+
+    median: float
+    best: float
+    path: record.CriticalPath
+
+
+class Configuration:
+    """The committed files of one configuration. `targets` is empty when it is not implemented yet, and, if
+    `stale_is_none`, when it was implemented from other VHDL."""
+
+    def __init__(self, name: str, stale_is_none: bool = False) -> None:
+        self.name = name
+        self.manifest = manifest.read(GENERATED_RTL / name)
+        self.parameters = self.manifest["parameters"]
+        implemented = record.read(GENERATED_RTL / name)
+        self.stale = implemented is not None and not record.is_fresh(implemented, self.manifest)
+        if self.stale and not stale_is_none:
+            raise FlowError(
+                f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}",
+                EXIT_MISMATCH,
+            )
+        self.targets = implemented["targets"] if implemented and not self.stale else {}
+        self.cosimulations = cosim_record.read(GENERATED_RTL / name, self.manifest)
+
+    def has(self, size: Size) -> bool:
+        p = self.parameters
+        return all(p[key] == size[key] for key in ("width_px", "height_px", "disparities"))
+
+    def size(self) -> str:
+        p = self.parameters
+        window = f"{p['window_px']}x{p['window_px']}"
+        return f"{p['width_px']}x{p['height_px']}, D={p['disparities']}, {window}, P={p['pixels_per_clock']}"
+
+    def clock(self) -> Clock | None:
+        routed = self.targets.get("ecp5")
+        if not routed:
+            return None
+        fmax = routed["fmax_mhz"]
+        speed = figures.speed(self.parameters, fmax["median"], figures.lut_count(routed))
+        return {"median": fmax["median"], "best": fmax["best"], "path": routed["critical_path"], **speed}

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Do the tests notice single faults in the VHDL?"""

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""docs/features.md: what each option of the algorithm and of the pipeline costs, from committed files only."""
+
+from pathlib import Path
+
+from ..base.markdown import UNKNOWN, code, number, table
+from ..base.tools import ROOT
+from ..implementation import figures
+from ..implementation.record import Result
+from ..implementation.results import Configuration
+from ..synthesis.manifest import known_configurations
+
+PAGE = ROOT / "docs" / "features.md"
+TEXT = Path(__file__).parent / "texts" / "features.md"
+BASE = "study"
+
+# What stands in the table, in its order: (heading of the group, [(configuration, what it has)])
+OPTIONS = [
+    ("the plain core", [("study", "5x5 SAD, right reference, direct sums")]),
+    ("pixel pairs a clock", [("study_p2", "P = 2"), ("study_p4", "P = 4")]),
+    ("window, direct sums", [("study_w3", "3x3"), ("study_w7", "7x7"), ("study_w9", "9x9")]),
+    (
+        "window, recursive sums",
+        [
+            ("study_w3_recursive", "3x3"),
+            ("study_recursive", "5x5"),
+            ("study_w7_recursive", "7x7"),
+            ("study_w9_recursive", "9x9"),
+            ("study_w15_recursive", "15x15"),
+            ("study_w21_recursive", "21x21"),
+        ],
+    ),
+    ("images", [("study_left", "left reference"), ("study_min8", "min_disparity 8")]),
+    ("cost", [("study_ssd", "SSD"), ("study_census", "census 5x5")]),
+    ("prefilter", [("study_xsobel", "x-Sobel")]),
+    (
+        "checks",
+        [
+            ("study_left_right", "left/right"),
+            ("study_uniqueness", "uniqueness"),
+            ("study_texture", "texture, with the x-Sobel"),
+        ],
+    ),
+    ("after the winner", [("study_subpixel", "subpixel"), ("study_median", "median 3x3")]),
+    ("together", [("study_all", "x-Sobel, all checks, subpixel, median")]),
+]
+DEPTHS = ["study", "study_cost2", "study_cost1", "study_group4", "study_slice4", "study_slice16"]
+
+
+def page() -> str:
+    p = Configuration(BASE).parameters
+    size = f"{p['width_px']}x{p['height_px']}, D = {p['disparities']}"
+    return TEXT.read_text().format(
+        size=size, options=options_table(), crossover="\n" + crossover(), depths=depths_table()
+    )
+
+
+def _known(name: str) -> bool:
+    return name in known_configurations()
+
+
+def _routed(name: str) -> Result | None:
+    return Configuration(name).targets.get("ecp5")
+
+
+def options_table() -> str:
+    head = ["", "option", "clocks a frame", "latency", "LUT4", "more LUT4", "flip-flops", "memory bits", "block RAMs"]
+    base = _routed(BASE) if _known(BASE) else None
+    rows = []
+    for heading, members in OPTIONS:
+        for name, what in members:
+            if not _known(name):
+                rows.append([heading, what, *[UNKNOWN] * 9])
+                continue
+            configuration, result = Configuration(name), _routed(name)
+            p, tool = configuration.parameters, configuration.manifest["tool_report"]
+            luts = figures.lut_count(result) if result else None
+            more = luts - figures.lut_count(base) if luts is not None and base and name != BASE else None
+            rows.append(
+                [
+                    heading,
+                    what,
+                    number(figures.clocks_per_frame(p)),
+                    number(p["latency_clocks"]),
+                    number(luts),
+                    UNKNOWN if more is None else f"{more:+,}",
+                    number(result["ffs"] if result else None),
+                    number(tool["memory_bits"]),
+                    number(result["block_rams"] if result else None),
+                    number(result["fmax_mhz"]["median"] if result else None, 1),
+                    code(name),
+                ]
+            )
+    return table([*head, "MHz", "configuration"], rows)
+
+
+def depths_table() -> str:
+    rows = []
+    for name in filter(_known, DEPTHS):
+        p, result = Configuration(name).parameters, _routed(name)
+        rows.append(
+            [
+                str(p["cost_clocks"]),
+                str(p["winner_group"]),
+                str(p["slice_disparities"]),
+                str(p["latency_clocks"]),
+                number(figures.lut_count(result) if result else None),
+                number(result["ffs"] if result else None),
+                number(result["fmax_mhz"]["median"] if result else None, 1),
+                code(name),
+            ]
+        )
+    head = ["cost_clocks", "winner_group", "slice_disparities", "latency, clocks", "LUT4", "flip-flops", "MHz"]
+    return table([*head, "configuration"], rows)
+
+
+def crossover() -> str:
+    """For each window that was built both ways, which takes fewer look-up tables."""
+    sentences = []
+    for window, direct, recursive in (
+        (3, "study_w3", "study_w3_recursive"),
+        (5, "study", "study_recursive"),
+        (7, "study_w7", "study_w7_recursive"),
+        (9, "study_w9", "study_w9_recursive"),
+    ):
+        results = [_routed(name) for name in (direct, recursive) if _known(name)]
+        luts = [figures.lut_count(result) for result in results if result]
+        if len(luts) == 2:
+            better = "direct" if luts[0] < luts[1] else "recursive"
+            sentences.append(f"{window}x{window}: {luts[0]:,} LUT4 direct, {luts[1]:,} recursive: {better}.")
+    return "\n".join(f"- {sentence}" for sentence in sentences)

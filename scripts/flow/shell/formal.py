@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Proofs about the memory cell and the stream blocks of the shell, for all inputs and all times: `ghdl --synth`, yosys,
+and the model checker of yosys-abc (property directed reachability), which finds the invariants by itself."""
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..base import ghdl
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, find_tool, find_yosys, run
+from .design import RTL
+
+HARNESSES = ROOT / "hls_tb" / "formal"
+
+
+@dataclass(frozen=True)
+class Proof:
+    block: str
+    generics: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        return " ".join([self.block, *(f"{name}={value}" for name, value in self.generics.items())])
+
+
+PROOFS = (
+    Proof("line_memory", {"width": 1}),
+    Proof("line_memory", {"width": 61}),
+    Proof("stream_register", {"width": 1}),
+    Proof("stream_register", {"width": 2}),
+    Proof("stream_fifo", {"depth": 1, "width": 1}),
+    Proof("stream_fifo", {"depth": 2, "width": 1}),
+    Proof("stream_fifo", {"depth": 3, "width": 1}),
+    Proof("stream_fifo", {"depth": 4, "width": 1}),
+    Proof("stream_credit", {"words": 1, "latency": 1}),
+    Proof("stream_credit", {"words": 3, "latency": 2}),
+    Proof("stream_credit", {"words": 7, "latency": 3}),
+)
+
+
+def find_abc() -> str:
+    return find_tool("yosys-abc", "YOSYS_ABC", "on Debian: apt-get install yosys")
+
+
+def prove(proof: Proof, work: Path, rtl: Path = RTL) -> tuple[str, str]:
+    """("proved", "") or ("refuted", in which clock). The block is taken from the folder `rtl`."""
+    top = f"prove_{proof.block}"
+    work.mkdir(parents=True, exist_ok=True)
+    files = [rtl / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
+    (work / "design.v").write_text(ghdl.to_verilog(files, work, top, proof.generics))
+    script = (
+        f"read_verilog design.v; prep -flatten -top {top}; memory_map; setundef -undriven -zero; opt -full; "
+        "techmap; opt; dffunmap; simplemap; aigmap; opt_clean; write_aiger -zinit design.aig"
+    )
+    run([find_yosys(), "-p", script], cwd=work, log=work / "yosys.log")
+    run([find_abc(), "-c", "read_aiger design.aig; strash; pdr"], cwd=work, log=work / "abc.log")
+    said = (work / "abc.log").read_text()
+    if "Property proved" in said:
+        return "proved", ""
+    refuted = re.search(r"asserted in frame (\d+)", said)
+    if not refuted:
+        raise FlowError(f"yosys-abc came to no end with {proof.name}; see {work / 'abc.log'}", EXIT_TOOL_FAILED)
+    return "refuted", refuted.group(1)

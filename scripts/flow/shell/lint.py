@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of the hand-written VHDL: GHDL's warnings, what only shows in the synthesised netlist, and the layout of the
+text."""
+
+import contextlib
+import re
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+
+from ..base import ghdl
+from ..base.errors import FlowError
+from ..base.tools import GENERATED_RTL, Say, find_ghdl, find_verilator, find_yosys, run
+from ..synthesis import manifest
+from . import design, example
+
+GHDL_WARNINGS = (
+    *("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port"),
+    *("runtime-error", "shared", "hide", "unused", "others", "pure", "static", "error"),
+)
+NETLIST_WARNINGS = ("LATCH", "MULTIDRIVEN", "SELRANGE", "UNDRIVEN", "IMPLICIT", "PINMISSING")
+LONGEST_LINE = 128
+LONGEST_FILE = 400
+FIRST_LINE = "-- SPDX-License-Identifier: Apache-2.0"
+
+
+def layout(path: Path) -> list[str]:
+    """Sentences about the text of one file."""
+    lines = path.read_text().splitlines()
+    found = [] if lines and lines[0] == FIRST_LINE else [f"line 1 is not '{FIRST_LINE}'"]
+    if len(lines) > LONGEST_FILE:
+        found.append(f"{len(lines)} lines, at most {LONGEST_FILE}")
+    for number, line in enumerate(lines, 1):
+        code = re.sub(r'"[^"]*"', '""', line.partition("--")[0])
+        found += [
+            f"line {number}: {what}"
+            for what, wrong in (
+                (f"longer than {LONGEST_LINE} characters", len(line) > LONGEST_LINE),
+                ("a tab", "\t" in line),
+                ("blanks at the end", line != line.rstrip()),
+                ("a capital letter in the code", bool(re.search("[A-Z]", code))),
+                ("an odd indentation", (len(line) - len(line.lstrip())) % 2 == 1),
+            )
+            if wrong
+        ]
+    return [f"{path.name}: {sentence}" for sentence in found]
+
+
+def analysis(files: Iterable[Path], work: Path) -> list[str]:
+    """GHDL's warnings about the files, each after those it needs."""
+    log = work / "analyse.log"
+    warnings = [f"--warn-{name}" for name in GHDL_WARNINGS]
+    with contextlib.suppress(FlowError):  # its sentences are in the log, too
+        run([find_ghdl(), "-a", ghdl.STANDARD, *warnings, *files], cwd=work, log=log)
+    return [line for line in log.read_text().splitlines() if re.search(r":\d+:\d+:", line)]
+
+
+def netlist(files: Iterable[Path], generics: ghdl.Generics, work: Path) -> list[str]:
+    """What shows in the synthesised design only: names that Verilog reserves and two drivers of one signal (Verilator),
+    latches and loops (yosys)."""
+    verilog, log = work / "stereo_ip.v", work / "verilator.log"
+    text = ghdl.to_verilog(files, work, "stereo_ip", generics)
+    verilog.write_text(text)
+    # What GHDL writes for a signal that keeps its value outside a clocked process, or has none.
+    found = [
+        f"latch, or no value: {name}"
+        for name in re.findall(r"^ *assign (\S+) = \d+'b[xX]+; // \(signal\)$", text, re.MULTILINE)
+    ]
+    warnings = [f"-Wwarn-{name}" for name in NETLIST_WARNINGS]
+    run([find_verilator(), "--lint-only", "-Wno-fatal", *warnings, "--top-module", "stereo_ip", verilog], log=log)
+    found += [
+        line
+        for line in log.read_text().splitlines()
+        if re.match(rf"%(Error|Warning-({'|'.join(NETLIST_WARNINGS)}))", line)
+    ]
+    script = (
+        f"read_verilog {verilog}; hierarchy -top stereo_ip; proc; flatten; check; select -count t:$dlatch t:$dlatchsr"
+    )
+    run([find_yosys(), "-p", script], log=log.with_name("yosys.log"))
+    said = log.with_name("yosys.log").read_text()
+    found += re.findall(r"^Warning: (?:found logic loop|multiple conflicting drivers).*$", said, re.MULTILINE)
+    return found + [
+        f"{count} latches" for count in re.findall(r"^(\d+) objects\.$", said, re.MULTILINE) if count != "0"
+    ]
+
+
+def check(config: str, generics: ghdl.Generics, work: Path, shell: Path | None = None, say: Say = print) -> int:
+    """All checks of the shell around one configuration's core and of the example, in a folder of their own. Returns the
+    number of findings."""
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    memory, written = design.RTL / "line_memory.vhd", design.shell_files(shell)
+    core = [path for path in manifest.vhdl_files(GENERATED_RTL / config) if path.name != memory.name]
+    examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
+    found = [sentence for path in (memory, *written, *examples) for sentence in layout(path)]
+    found += analysis([memory], work)
+    ghdl.analyse(core, work, "core.log")
+    found += analysis([*written, *examples], work)
+    if not found:
+        found += netlist([memory, *core, *written], generics, work)
+    for sentence in found:
+        say(sentence)
+    return len(found)

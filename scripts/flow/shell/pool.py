@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Frames with the disparity maps that the C++ core gives for them."""
+
+import random
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..base.configurations import Parameters
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import Word, find_stereo_hls, run
+from ..cosim import vectors
+
+# (grey levels, distance between them) of the noise. Few levels give ties everywhere, far apart also extremes; close
+# together they give sums that differ by little.
+LEVELS = ((256, 1), (4, 85), (4, 1), (2, 255))
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A pair of images and its map, as words of the streams' tdata."""
+
+    groups: tuple[int, ...]  # s_axis, W*H/P words
+    results: tuple[int, ...]  # m_axis
+    needs: tuple[int, ...]  # for each result: how many of the groups it depends on
+
+
+@dataclass(frozen=True)
+class Geometry:
+    columns: int  # beats of a line on s_axis
+    row_groups: int  # lines of a frame, on both sides
+    result_columns: int  # beats of a line on m_axis
+
+    @classmethod
+    def of(cls, parameters: Parameters) -> "Geometry":
+        return cls(
+            parameters["width_px"],
+            parameters["height_px"] // parameters["pixels_per_clock"],
+            parameters["output_width_px"],
+        )
+
+    @property
+    def groups(self) -> int:
+        return self.columns * self.row_groups
+
+    @property
+    def results(self) -> int:
+        return self.result_columns * self.row_groups
+
+
+def make_pool(
+    config: str, parameters: Parameters, pairs: int, seed: int, folder: Path, reuse: bool = False
+) -> list[Frame]:
+    """2 * pairs different frames of noise: each pair upright and upside down. `reuse`: the folder was filled by the
+    same call in this run already."""
+    if reuse:
+        return [frame for number in range(pairs) for frame in _read_frames(folder / f"vectors_{number}", parameters)]
+    folder.mkdir(parents=True, exist_ok=True)
+    generator = random.Random(f"pool {seed}")
+    frames = []
+    for number in range(pairs):
+        names = [folder / f"{side}_{number}.pgm" for side in ("left", "right")]
+        for name in names:
+            write_noise(name, parameters, generator, *LEVELS[number % len(LEVELS)])
+        out = folder / f"vectors_{number}"
+        images: list[Word] = ["--left", names[0], "--right", names[1]]
+        run(
+            [find_stereo_hls(), "vectors", "--config", config, *images, "--frames", 2, "--out", out], passes_errors=True
+        )
+        frames += _read_frames(out, parameters)
+    return frames
+
+
+def write_noise(path: Path, parameters: Parameters, generator: random.Random, levels: int, distance: int) -> None:
+    """A PGM image of a configuration's size."""
+    width, height = parameters["width_px"], parameters["height_px"]
+    pixels = bytes(generator.randrange(levels) * distance for _ in range(width * height))
+    path.write_bytes(b"P5 %d %d 255\n" % (width, height) + pixels)
+
+
+def _read_frames(folder: Path, parameters: Parameters) -> list[Frame]:
+    geometry = Geometry.of(parameters)
+    pixel_bits = 8 * parameters["pixels_per_clock"]
+    map_bits = parameters["disparity_bits"] * parameters["pixels_per_clock"]
+    stimulus = vectors.read_stimulus(folder / "stimulus.txt")
+    words = [line.split() for line in (folder / "stimulus.txt").read_text().splitlines()[1:]]
+    expected, latency = vectors.read_expected(folder / "expected.txt")
+    starts = [clock for clock, (_, start) in enumerate(stimulus) if start][:2]
+    frames = []
+    for number, start in enumerate(starts):
+        groups = tuple(
+            int(words[start + i][2], 16) << pixel_bits | int(words[start + i][1], 16) for i in range(geometry.groups)
+        )
+        outputs = [output for output in expected if output.frame == number]
+        if len(outputs) != geometry.results:
+            raise FlowError(f"the C++ core gave {len(outputs)} outputs instead of {geometry.results}", EXIT_TOOL_FAILED)
+        results = tuple((output.flags >> 2) << map_bits | output.disparity for output in outputs)
+        needs = tuple(min(output.clock - latency - start + 1, geometry.groups) for output in outputs)
+        frames.append(Frame(groups, results, needs))
+    return frames

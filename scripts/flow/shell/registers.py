@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The registers of stereo_ip. One description, hls/rtl/registers.json, becomes the VHDL package of their addresses and
+the table in docs/integration.md."""
+
+import json
+from pathlib import Path
+from typing import Any, NotRequired, TypedDict
+
+from ..base.errors import FlowError
+from ..base.tools import ROOT
+
+DESCRIPTION = ROOT / "hls" / "rtl" / "registers.json"
+PACKAGE = ROOT / "hls" / "rtl" / "stereo_register_map.vhd"
+DOCUMENT = ROOT / "docs" / "integration.md"
+TABLE_BEGIN, TABLE_END = "<!-- registers: made by scripts/registers.py -->", "<!-- end of registers -->"
+ID = 0x53544552  # "STER"
+VERSION = (1, 0, 0)
+
+
+class Field(TypedDict):
+    name: str
+    low: int
+    high: int
+    text: str
+
+
+class Register(TypedDict):
+    name: str
+    offset: int
+    access: str
+    text: NotRequired[str]  # of one without fields
+    fields: NotRequired[list[Field]]
+
+
+def description() -> list[Register]:
+    """In the order of their addresses."""
+    registers: list[Register] = json.loads(DESCRIPTION.read_text())["registers"]
+    return registers
+
+
+def by_name() -> dict[str, dict[str, Any]]:
+    """{register: the same with its fields as {name: field}}"""
+    return {
+        entry["name"]: {**entry, "fields": {field["name"]: field for field in entry.get("fields", [])}}
+        for entry in description()
+    }
+
+
+def address_bits() -> int:
+    return max(register["offset"] for register in description()).bit_length()
+
+
+def vhdl_package() -> str:
+    major, minor, patch = VERSION
+    lines = [
+        "-- SPDX-License-Identifier: Apache-2.0",
+        "-- Addresses, in words of 4 bytes, and fields of the registers of stereo_ip: of a field of one bit its place, "
+        "of a wider",
+        "-- one its width. Made by scripts/registers.py from hls/rtl/registers.json; do not edit.",
+        "library ieee;",
+        "use ieee.std_logic_1164.all;",
+        "",
+        "package stereo_register_map is",
+        f"  constant address_bits : positive := {address_bits()};  -- of addresses in bytes",
+        f'  constant id_value : std_logic_vector(31 downto 0) := x"{ID:08x}";',
+        f'  constant version_value : std_logic_vector(31 downto 0) := x"{major:04x}{minor:02x}{patch:02x}";',
+    ]
+    for register in description():
+        name = register["name"]
+        lines.append(f"  constant {name}_word : natural := {register['offset'] // 4};")
+        for field in register.get("fields", []):
+            bits = field["high"] - field["low"] + 1
+            if bits == 1:
+                lines.append(f"  constant {name}_{field['name']} : natural := {field['low']};")
+            else:
+                lines.append(f"  constant {name}_{field['name']}_bits : positive := {bits};")
+    return "\n".join([*lines, "end package;", ""])
+
+
+def table() -> str:
+    rows = ["| address | register | bits | field | access | meaning |", "|---|---|---|---|---|---|"]
+    for register in description():
+        head = f"| `0x{register['offset']:02X}` | `{register['name']}` "
+        access = register["access"]
+        whole: Field = {"name": "", "high": 31, "low": 0, "text": register.get("text", "")}
+        for field in register.get("fields", [whole]):
+            bits = str(field["low"]) if field["high"] == field["low"] else f"{field['high']} ... {field['low']}"
+            name = f"`{field['name']}`" if field["name"] else ""
+            rows.append(f"{head}| {bits} | {name} | {access} | {field['text']} |")
+            head, access = "| | ", ""
+    return "\n".join(rows)
+
+
+def document_with_table(text: str) -> str:
+    """The page with the table between its two marks made anew."""
+    before, begin, rest = text.partition(TABLE_BEGIN)
+    _, end, after = rest.partition(TABLE_END)
+    if not begin or not end:
+        raise FlowError(f"{DOCUMENT.relative_to(ROOT)} has no place for the table of registers")
+    return f"{before}{begin}\n{table()}\n{end}{after}"
+
+
+def made_files() -> dict[Path, str]:
+    """{path: text that belongs there}"""
+    files = {PACKAGE: vhdl_package()}
+    if DOCUMENT.is_file():
+        files[DOCUMENT] = document_with_table(DOCUMENT.read_text())
+    return files

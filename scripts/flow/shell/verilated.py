@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""stereo_ip in Verilator: for thousands of frames."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..base import ghdl
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, run_with_progress
+from ..cosim import simulators, vectors
+from . import design
+from .script import Step, as_text
+
+WATCHDOG_SECONDS = 300  # the bench says every 20,000 clocks that it goes on
+BENCH = ROOT / "hls_tb" / "axi" / "verilator_axi_bench.cpp"
+
+
+@dataclass
+class Observation:
+    """What a bench wrote down: the beats of m_axis between resets, each (data, flags, clock)."""
+
+    segments: list[list[tuple[int, int, int]]] = field(default_factory=list)
+    breaches: list[str] = field(default_factory=list)
+    clocks: int = 0
+    hangs: bool = False
+
+
+class Verilated:
+    """One configuration, built once in its folder."""
+
+    def __init__(self, config: str, work: Path, files: list[Path] | None = None) -> None:
+        self.files = files or design.vhdl_files(config)
+        self.generics = design.generics(config)
+        self.work = work
+
+    def build(self) -> None:
+        makers = [Path(module) for module in (__file__, simulators.__file__, ghdl.__file__)]
+        simulators.build_once(self.work, [*self.files, BENCH, *makers], self.generics, self._build)
+
+    def _build(self) -> None:
+        simulators.verilate(self.work, self.files, "stereo_ip", [BENCH], self.generics)
+
+    def play(self, steps: Iterable[Step], seed: int, out: Path) -> Observation:
+        out = out.resolve()
+        out.mkdir(parents=True, exist_ok=True)
+        stream, observed = out / "stream.txt", out / "observed.txt"
+        stream.write_text(as_text(steps, seed))
+        observed.unlink(missing_ok=True)
+        command = [simulators.verilated_bench(self.work), stream, observed]
+        run_with_progress(command, lambda line: None, WATCHDOG_SECONDS, cwd=out)
+        return read_observation(observed)
+
+
+def read_observation(path: Path) -> Observation:
+    """The file that verilator_axi_bench.cpp writes; its last line says how the simulation ended."""
+    seen = Observation()
+    lines = vectors.read_lines(path)
+    end = re.fullmatch(rf"(end|hang) ({vectors.NUMBER})", lines[-1]) if lines else None
+    if not end:
+        raise FlowError(f"{path}: the simulation did not write its last line, so it did not finish", EXIT_TOOL_FAILED)
+    for line in lines[:-1]:
+        beat = re.fullmatch(rf"o ([0-9a-f]{{1,32}}) ({vectors.NUMBER}) ({vectors.NUMBER})", line)
+        if beat and seen.segments:
+            data, flags, clock = beat.groups()
+            seen.segments[-1].append((int(data, 16), int(flags), int(clock)))
+        elif line == "r":
+            seen.segments.append([])
+        elif line.startswith("p "):
+            seen.breaches.append(line[2:])
+        else:
+            raise FlowError(f"{path}: '{line}' is no line of an observation", EXIT_TOOL_FAILED)
+    seen.hangs, seen.clocks = end.group(1) == "hang", int(end.group(2))
+    return seen

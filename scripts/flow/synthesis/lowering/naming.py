@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gives the registers of the netlist the names they have in C++.
+
+The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register
+is recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls trace` traced the core.
+The same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
+"""
+
+from pathlib import Path
+
+from ...base.errors import EXIT_TOOL_FAILED, FlowError
+from .evaluate import compile_step, initial_state
+from .expressions import bit_not, leaf, walk, wrap
+from .netlist import WORDS, Netlist
+
+Values = tuple[int, ...]  # one a clock
+Trace = dict[str, Values]  # of the inputs ("in_..."), outputs ("out_...") and registers of the C++ core
+
+
+def read_trace(path: Path) -> Trace:
+    """File: "stereo-hls trace 1 config=NAME clocks=N", a line of names, then N lines of hexadecimal values."""
+    lines = path.read_text().splitlines()
+    if (
+        len(lines) < 3
+        or not lines[0].startswith("stereo-hls trace 1 ")
+        or f"clocks={len(lines) - 2}" not in lines[0].split()
+    ):
+        raise FlowError(f"{path}: not a complete 'trace' file of format 1", EXIT_TOOL_FAILED)
+    rows = [[int(value, 16) for value in line.split()] for line in lines[2:]]
+    return dict(zip(lines[1].split(), zip(*rows)))
+
+
+def trace_netlist(netlist: Netlist, trace: Trace) -> list[Values]:
+    """Values of each register of the netlist, in the same clocks; checks the outputs against the trace."""
+    step = compile_step(netlist)
+    registers, memories = initial_state(netlist)
+    history = []
+    for clock in range(len(trace["in_valid"])):
+        history.append(tuple(registers))
+        outputs = step({name: trace[f"in_{name}"][clock] for name in netlist.inputs}, registers, memories)
+        for name, value in outputs.items():
+            expected = trace[f"out_{name}"][clock]
+            if value != expected and (name not in WORDS or trace["out_disparity_valid"][clock]):
+                raise FlowError(
+                    f"the lowered netlist differs from the C++ core: clock {clock}, {name}: expected {expected}, "
+                    f"got {value}",
+                    EXIT_TOOL_FAILED,
+                )
+    return list(zip(*history))
+
+
+def _names_by_values(trace: Trace) -> dict[Values, list[str]]:
+    """The registers of the C++ core, in their order."""
+    found: dict[Values, list[str]] = {}
+    for name, values in trace.items():
+        if not name.startswith(("in_", "out_")):
+            found.setdefault(values, []).append(name)
+    return found
+
+
+def adopt_cpp_values(netlist: Netlist, trace: Trace) -> None:
+    """Where the tool keeps the complement of a C++ bit, or a negative number as a large positive one, keeps what C++
+    has."""
+    known = _names_by_values(trace)
+    replacement = {}
+    for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
+        if values in known:
+            continue
+        old, width = register.value, register.value.width
+        half = 1 << (width - 1)
+        if old.is_bit and tuple(1 - v for v in values) in known:
+            register.value, register.initial = leaf("register", f"{register.name}_inverted", 1), 1 - register.initial
+            register.next = bit_not(register.next)
+            replacement[id(old)] = bit_not(register.value)
+        elif old.low == 0 and tuple(v - 2 * half if v >= half else v for v in values) in known:
+            register.value = leaf("register", f"{register.name}_signed", width, signed=True)
+            register.next = wrap(register.next, width, signed=True)
+            replacement[id(old)] = wrap(register.value, width)
+    netlist.substitute(replacement)
+
+
+def name_registers(netlist: Netlist, trace: Trace) -> None:
+    """Renames and orders the registers after the C++ core, and memories after the registers that take their data."""
+    names = _names_by_values(trace)
+    order = {name: place for place, name in enumerate(trace)}
+    others = 0
+    for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
+        if names.get(values):
+            register.name = names[values].pop(0)
+        else:
+            register.name = f"other_{others}"
+            order[register.name] = len(order)
+            others += 1
+    netlist.registers.sort(key=lambda r: order[r.name])
+    for memory in netlist.memories:
+        reader = next((r.name for r in netlist.registers if memory.data in walk([r.next])), memory.name)
+        memory.name = f"{reader}_memory"
+
+
+def count_named(netlist: Netlist, trace: Trace) -> int:
+    """How many registers have found their name."""
+    return sum(register.name in trace for register in netlist.registers)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which registers a reset must set."""
+
+from collections.abc import Mapping
+
+from ...base.errors import EXIT_TOOL_FAILED, FlowError
+from .expressions import Node, bit_not, disjoint_ones, walk
+from .netlist import WORDS, Memory, Netlist, Register
+
+
+def split_hold(register: Register) -> tuple[Node | None, Node]:
+    """(condition, value): the register takes value when the condition holds; condition None: always."""
+    node = register.next
+    if node.op == "mux":
+        condition, yes, no = node.args
+        if no is register.value:
+            return condition, yes
+        if yes is register.value:
+            return bit_not(condition), no
+    return None, node
+
+
+def memory_read_register(netlist: Netlist, memory: Memory) -> tuple[Register, Node | None]:
+    """(register, enable) that takes a memory's data and nothing else does, as a synchronous read port needs it."""
+    users = [n for n in walk(netlist.roots()) if memory.data in n.args]
+    takers = [r for r in netlist.registers if split_hold(r)[1] is memory.data]
+    direct = sum(1 for root in netlist.roots() if root is memory.data)
+    if len(takers) != 1 or len(users) + direct != 1:
+        raise FlowError(
+            f"the read data of memory {memory.name} must go into one register and nowhere else", EXIT_TOOL_FAILED
+        )
+    return takers[0], split_hold(takers[0])[0]
+
+
+def control_registers(netlist: Netlist) -> dict[int, Register]:
+    """The registers that a reset must set: all that flags, enables and memory addresses depend on, through memories
+    too.
+
+    The others hold pixels and costs, which no flag announces before new ones have replaced them. {id of the value:
+    register}
+    """
+    by_value = {id(r.value): r for r in netlist.registers}
+    words = {id(memory_read_register(netlist, m)[0].value): m for m in netlist.memories}
+    frontier = [node for name, node in netlist.outputs.items() if name not in WORDS]
+    frontier += [address for m in netlist.memories for address in (m.read_address, m.write_address)]
+    frontier += [c for c in (split_hold(r)[0] for r in netlist.registers) if c is not None]
+    found: dict[int, Register] = {}
+    known_bits = dict.fromkeys(words, 0)
+    while frontier:
+        nodes, used = walk(frontier), _used_bits(frontier, words)
+        frontier = []
+        for key in dict.fromkeys(id(node) for node in nodes):
+            if key in by_value and key not in words and key not in found:
+                found[key] = by_value[key]
+                frontier.append(by_value[key].next)
+        for key, bits in used.items():
+            frontier += _parts(words[key].write_data, bits & ~known_bits[key])
+            known_bits[key] |= bits
+    return found
+
+
+def _used_bits(roots: list[Node], words: Mapping[int, Memory]) -> dict[int, int]:
+    """{id of a memory's word: mask of its bits that the expressions depend on}"""
+    used: dict[int, int] = {}
+
+    def use(key: int, bits: int) -> None:
+        used[key] = used.get(key, 0) | bits
+
+    for root in roots:
+        word, low = (root.args[0], root.number) if root.op == "shr" else (root, 0)
+        if id(word) in words:
+            use(id(word), -1 << low)
+    for node in walk(roots):
+        for argument in node.args:
+            shifted = argument.op == "shr" and id(argument.args[0]) in words
+            word, low = (argument.args[0], argument.number) if shifted else (argument, 0)
+            if id(word) not in words or (node.op == "shr" and not shifted):
+                continue  # no word, or the shift that the next user looks through
+            use(id(word), ((1 << node.wrapping[0]) - 1) << low if node.op == "wrap" else -1 << low)
+    return used
+
+
+def _parts(word: Node, bits: int) -> list[Node]:
+    """The parts of a concatenation that hold some of the bits; the whole word where it is none."""
+    if word.op == "add" and disjoint_ones(word.args) is not None:
+        return [part for part in word.args if part.ones is not None and part.ones & bits]
+    return [word] if bits else []

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Writes a netlist as one VHDL-2008 architecture: ports, registers, memory cells and one clocked process."""
+
+from collections import Counter
+from collections.abc import ItemsView, Iterable
+
+from ...base.errors import EXIT_TOOL_FAILED, FlowError
+from .expressions import Node, walk
+from .netlist import WORDS, Netlist, Register
+from .reset import control_registers, memory_read_register, split_hold
+from .vhdl_frame import HELPERS, PORTS
+from .vhdl_text import Names, Writer, is_wide, type_of, without_outer_parentheses
+
+LINE = 120
+_VARIABLE_KINDS = {
+    "lt": "is_less",
+    "ge": "is_not_less",
+    "eq": "is_equal",
+    "ne": "differs",
+    "add": "sum",
+    "sub": "difference",
+    "mul": "product",
+    "mux": "choice",
+    "and": "all",
+    "or": "any",
+    "not": "inverse",
+    "abs": "magnitude",
+    "folded": "folded_value",
+    "positive": "positive_value",
+}
+
+
+class VhdlWriter:
+    def __init__(self, netlist: Netlist, header: str, disparity_bits: int = 8) -> None:
+        """`disparity_bits`: of each row in the output word."""
+        self.netlist, self.header = netlist, header
+        self.pixels = max([8, *(node.width for node in netlist.inputs.values())]) // 8
+        self.output_bits = {"disparity": disparity_bits * self.pixels, "pixel_valid": self.pixels}
+        self.names: Names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
+        self.reads = {id(m): memory_read_register(netlist, m) for m in netlist.memories}
+        for register, _ in self.reads.values():
+            self.names[id(register.value)] = (register.name, True)
+        self.in_memory = {id(register) for register, _ in self.reads.values()}
+        for name, node in netlist.inputs.items():
+            self.names[id(node)] = (f"in_{name}", is_wide(node))
+        self.variables: dict[str, str] = {}  # name -> type
+        self.text = Writer(self.names)
+        self.uses = Counter(id(a) for n in walk(netlist.roots()) for a in n.args)
+        self.uses.update(id(root) for root in netlist.roots())
+
+    def write(self) -> str:
+        process = self._process()  # first: it finds the variables
+        parts = [
+            self.header,
+            "library ieee;",
+            "use ieee.std_logic_1164.all;",
+            "use ieee.numeric_std.all;",
+            "",
+            "entity stereo_core is",
+            "  port (",
+            PORTS.format(
+                high=8 * self.pixels - 1, disparity_high=self.output_bits["disparity"] - 1, rows=self.pixels - 1
+            ),
+            "  );",
+            "end entity;",
+            "",
+            "architecture rtl of stereo_core is",
+            HELPERS,
+            self._declarations(),
+            "begin",
+            self._ports(),
+            self._memories(),
+            process,
+            "end architecture;",
+        ]
+        return "\n".join(parts) + "\n"
+
+    # --- declarations -------------------------------------------------------------------------------------------------
+
+    def _declarations(self) -> str:
+        lines = [f"  signal in_{name} : {type_of(node.low, node.high)};" for name, node in self.netlist.inputs.items()]
+        for block, registers in self._blocks():
+            lines.append(f"  -- {block}")
+            by_type: dict[str, list[str]] = {}
+            for r in registers:
+                kind = type_of(r.value.low, r.value.high)
+                if id(r) in self.in_memory:
+                    kind = f"unsigned({r.value.width - 1} downto 0)"
+                by_type.setdefault(kind, []).append(r.name)
+            for kind, names in by_type.items():
+                lines += _wrapped("  signal ", names, f" : {kind};")
+        for memory in self.netlist.memories:
+            lines.append(f"  signal {memory.name}_write_data : unsigned({memory.width - 1} downto 0);")
+        return "\n".join(lines) + "\n"
+
+    def _blocks(self) -> ItemsView[str, list[Register]]:
+        """Registers by C++ block, in data-flow order: the order they come in."""
+        blocks: dict[str, list[Register]] = {}
+        for register in self.netlist.registers:
+            blocks.setdefault(register.name.split("_")[0], []).append(register)
+        return blocks.items()
+
+    def _ports(self) -> str:
+        lines = []
+        for name, node in self.netlist.inputs.items():
+            word = f"unsigned({name})" if is_wide(node) else f"to_integer(unsigned({name}))"
+            value = f"{name} = '1'" if node.is_bit else word
+            lines.append(f"  in_{name} <= {value};")
+        for name, node in self.netlist.outputs.items():
+            if name in WORDS:
+                lines.append(f"  {name} <= std_logic_vector({self.text.word(node, self.output_bits[name])});")
+            else:
+                lines.append(f"  {name} <= as_bit({without_outer_parentheses(self.text.condition(node))});")
+        return "\n".join(lines) + "\n"
+
+    def _memories(self) -> str:
+        lines: list[str] = []
+        for memory in self.netlist.memories:
+            register, enable = self.reads[id(memory)]
+            for node in (memory.read_address, memory.write_address):
+                if id(node) not in self.names:
+                    raise FlowError(
+                        f"an address of memory {memory.name} does not come from a register", EXIT_TOOL_FAILED
+                    )
+            name, enabled = memory.name, "true" if enable is None else self.text.condition(enable)
+            lines += [
+                f"  {name}_write_data <= {self.text.word(memory.write_data, memory.width)};",
+                f"  {name} : entity work.line_memory",
+                f"    generic map (depth => {memory.depth}, width => {memory.width})",
+                "    port map (",
+                f"      clock => clock, read_enable => {enabled},",
+                f"      read_address => {self.text.number(memory.read_address)}, read_data => {register.name},",
+                f"      write_address => {self.text.number(memory.write_address)}, write_data => {name}_write_data);",
+                "",
+            ]
+        return "\n".join(lines)
+
+    # --- the clocked process ------------------------------------------------------------------------------------------
+
+    def _process(self) -> str:
+        control = control_registers(self.netlist)
+        body = []
+        for block, registers in self._blocks():
+            body.append(f"      -- {block}")
+            for condition, members in self._by_enable(registers).items():
+                body += self._group(condition, members)
+        resets = [
+            f"        {r.name} <= {_constant(r)};"
+            for r in self.netlist.registers
+            if id(r.value) in control and id(r) not in self.in_memory
+        ]
+        variables: dict[str, list[str]] = {}
+        for name, kind in self.variables.items():
+            variables.setdefault(kind, []).append(name)
+        declared = [
+            line for kind, names in variables.items() for line in _wrapped("    variable ", names, f" : {kind};")
+        ]
+        return "\n".join(
+            [
+                "  process (clock)",
+                *declared,
+                "  begin",
+                "    if rising_edge(clock) then",
+                *body,
+                "      if reset = '1' then",
+                *resets,
+                "      end if;",
+                "    end if;",
+                "  end process;",
+            ]
+        )
+
+    def _by_enable(self, registers: Iterable[Register]) -> dict[Node | None, list[Register]]:
+        groups: dict[Node | None, list[Register]] = {}
+        for register in registers:
+            if id(register) not in self.in_memory:
+                groups.setdefault(split_hold(register)[0], []).append(register)
+        return groups
+
+    def _group(self, condition: Node | None, members: list[Register]) -> list[str]:
+        lines: list[str] = []
+        indent = "      "
+        assigned = []
+        for register in members:
+            value = split_hold(register)[1]
+            assigned.append((register, value))
+            lines += self._variables(value, register.name)
+        if condition is not None:
+            lines += self._variables(condition, members[0].name)
+            lines.append(f"{indent}if {without_outer_parentheses(self.text.condition(condition))} then")
+            indent += "  "
+        for register, value in assigned:
+            lines += _folded(f"{indent}{register.name} <= {self._choice_text(value, register.value)};")
+        if condition is not None:
+            lines.append("      end if;")
+        return lines
+
+    def _variables(self, root: Node, user: str) -> list[str]:
+        """Assignments of the variables that `root` needs and that are not yet there."""
+        lines: list[str] = []
+        for node in walk([root]):
+            if id(node) in self.names or not node.args:
+                continue
+            if self._needs_variable(node, node is root):
+                lines += self._assign_variable(node, user)
+        return lines
+
+    def _needs_variable(self, node: Node, is_root: bool) -> bool:
+        if node.op == "mux":
+            return self.uses[id(node)] > 1 or not is_root
+        simple = node.op in ("wrap", "shr", "shl") and id(node.args[0]) in self.names
+        return self.uses[id(node)] > 1 and not simple and node.op != "not"
+
+    def _assign_variable(self, node: Node, user: str) -> list[str]:
+        base = f"{user}_{_VARIABLE_KINDS.get(node.op, 'value')}"
+        name, number = base, 2
+        while name in self.variables:
+            name, number = f"{base}_{number}", number + 1
+        lines = self._conditional(name, node) or _folded(f"      {name} := {self._choice_text(node, node)};")
+        self.variables[name] = type_of(node.low, node.high)
+        self.names[id(node)] = (name, is_wide(node))
+        return lines
+
+    def _has_shape_of(self, target: Node, node: Node) -> bool:
+        """Whether a node is a constant, or stands there by name with the type of the target but for its limits."""
+        if node.op == "const":
+            return True
+        if id(node) not in self.names or self.names[id(node)][1] != is_wide(target):
+            return False
+        return (node.is_bit, node.low < 0, node.width) == (target.is_bit, target.low < 0, target.width)
+
+    def _conditional(self, name: str, target: Node) -> list[str] | None:
+        """A choice of numbers as an if statement; None where a conditional assignment to a variable is safe. GHDL 2.0's
+        synthesis gives such an assignment the width of its first values: it breaks off, or leaves upper bits without a
+        value, unless these are constants or named numbers as wide as the variable."""
+        choices, node = [], target
+        while node.op == "mux" and id(node) not in self.names:
+            choices.append((node.args[0], node.args[1]))
+            node = node.args[2]
+        if target.is_bit or all(self._has_shape_of(target, value) for _, value in choices):
+            return None
+        lines: list[str] = []
+        word = "if"
+        for condition, value in choices:
+            lines += _folded(f"      {word} {without_outer_parentheses(self.text.condition(condition))} then")
+            lines += _folded(f"        {name} := {self._plain_text(value, target)};")
+            word = "elsif"
+        return [*lines, "      else", *_folded(f"        {name} := {self._plain_text(node, target)};"), "      end if;"]
+
+    def _choice_text(self, node: Node, target: Node) -> str:
+        """The right side of an assignment: multiplexers become `a when c else b`."""
+        if node.op == "mux" and id(node) not in self.names:
+            condition, yes, no = node.args
+            test = without_outer_parentheses(self.text.condition(condition))
+            return f"{self._plain_text(yes, target)} when {test} else {self._choice_text(no, target)}"
+        return self._plain_text(node, target)
+
+    def _plain_text(self, node: Node, target: Node) -> str:
+        """As a value of the target's type."""
+        if target.is_bit:
+            return without_outer_parentheses(self.text.condition(node))
+        if is_wide(target):
+            return self.text.word(node, target.width)
+        return without_outer_parentheses(self.text.number(node))
+
+
+def _constant(register: Register) -> str:
+    """The value that a reset gives."""
+    if register.value.is_bit:
+        return "true" if register.initial else "false"
+    if is_wide(register.value):
+        return f"to_unsigned({register.initial}, {register.value.width})"
+    return str(register.initial)
+
+
+def _wrapped(start: str, names: list[str], end: str) -> list[str]:
+    """Declarations of many names, as few lines as fit."""
+    lines: list[str] = []
+    line: list[str] = []
+    for name in names:
+        if line and len(start) + len(", ".join(line + [name])) + len(end) > LINE:
+            lines.append(start + ", ".join(line) + end)
+            line = []
+        line.append(name)
+    return lines + [start + ", ".join(line) + end]
+
+
+def _folded(line: str) -> list[str]:
+    """A long statement on several lines, broken at blanks."""
+    lines = []
+    indent = " " * (len(line) - len(line.lstrip(" ")) + 2)
+    while len(line) > LINE and " " in line[len(indent) + 8 : LINE]:
+        at = line.rindex(" ", 0, LINE)
+        lines.append(line[:at])
+        line = indent + line[at + 1 :]
+    return lines + [line]
