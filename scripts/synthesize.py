@@ -1,34 +1,26 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the VHDL of configurations from the C++ core with Bambu, into generated_rtl/NAME/."""
+"""Makes the VHDL of configurations from the C++ core with Bambu, into generated_rtl/FAMILY/NAME/."""
 
 import sys
 from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base.configurations import Parameters, configuration, configurations
+from flow.base.configurations import Configuration, configuration, configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
-from flow.base.families import keeps_vhdl
-from flow.base.tools import GENERATED_RTL, find_bambu
+from flow.base.tools import find_bambu
 from flow.synthesis.generate import generate
 from flow.synthesis.manifest import stale_reasons
 
 
-def check(names: Iterable[str], table: dict[str, Parameters]) -> int:
+def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
     """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
-    stale = {}
-    for name in names:
-        if not (GENERATED_RTL / name).is_dir() and not keeps_vhdl(name):
-            print(f"{name}: not made yet")
-            continue
-        stale[name] = stale_reasons(name, table[name])
+    stale = {name: stale_reasons(name, table[name]) for name in names}
     for name, reasons in stale.items():
         print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else 'up to date'}")
-    # Where only the measured results are kept, they may be of an older core.
-    kept = [name for name, reasons in stale.items() if reasons and keeps_vhdl(name)]
-    if kept:
-        again = " ".join(f"--config {name}" for name in kept)
+    again = " ".join(f"--config {name}" for name, reasons in stale.items() if reasons)
+    if again:
         raise FlowError(
             f"the generated VHDL is not what its sources give; run scripts/synthesize.py {again}", EXIT_MISMATCH
         )
@@ -38,10 +30,7 @@ def check(names: Iterable[str], table: dict[str, Parameters]) -> int:
 def main() -> int:
     parser = ArgumentParser(prog="synthesize.py", description=__doc__)
     parser.add_argument(
-        "--config",
-        action="append",
-        metavar="NAME",
-        help="configuration, may be repeated; 'all' for each (default: those whose VHDL is in the repository)",
+        "--config", action="append", metavar="NAME", help="configuration, may be repeated (default: all)"
     )
     parser.add_argument(
         "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"
@@ -51,9 +40,7 @@ def main() -> int:
     )
     options = parser.parse_args()
     table = configurations()
-    names = options.config or sorted(filter(keeps_vhdl, table))
-    if "all" in names:
-        names = sorted(table)
+    names = options.config or sorted(table)
     for name in names:
         configuration(name, table)
     if options.check:

@@ -14,8 +14,8 @@ struct Family {
    std::string name;
    std::string source_folder;  ///< of its core, from the project's root
    std::vector<Configuration> configurations;
-   std::shared_ptr<const Algorithm> defaults;   ///< its algorithm with the default of each option
-   std::string (*random_row)(Random& random);   ///< random_cores/random_options.hpp
+   std::shared_ptr<const Algorithm> defaults;  ///< its algorithm with the default of each option
+   std::string (*random_row)(Random& random);  ///< random_cores/random_options.hpp
 };
 
 const std::vector<Family>& families();

@@ -15,6 +15,8 @@ namespace stereo {
 struct OptionValue {
    std::string name;
    std::variant<int, bool, std::string> value;  ///< a number, a flag, or the word of a choice
+
+   bool operator==(const OptionValue&) const = default;
 };
 
 /// The visitor that reads all options of a list.

@@ -27,6 +27,7 @@ class ClockedCore {
 /// What the module of a configuration holds. `make`: a core in the state after a reset; `memories` may hold what a core
 /// before the reset has left there, and must live as long as the core.
 struct CoreModule {
+   const char* interface;  ///< digest of the headers that a program and its modules share
    const char* family;
    const char* name;
    CoreShape shape;

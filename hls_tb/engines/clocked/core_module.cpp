@@ -20,6 +20,6 @@ namespace stereo::STEREO_FAMILY::configurations {
 
 using Core = stereo::STEREO_FAMILY::Core<stereo::STEREO_FAMILY::configurations::STEREO_CONFIGURATION>;
 
-extern "C" const stereo::CoreModule stereo_core_module{STEREO_NAME(STEREO_FAMILY), STEREO_NAME(STEREO_CONFIGURATION),
-                                                       stereo::core_shape<Core>(), &stereo::list_options<Core>,
-                                                       &stereo::make_clocked_core<Core>};
+extern "C" const stereo::CoreModule stereo_core_module{
+    STEREO_CORE_INTERFACE,       STEREO_NAME(STEREO_FAMILY),   STEREO_NAME(STEREO_CONFIGURATION),
+    stereo::core_shape<Core>(), &stereo::list_options<Core>, &stereo::make_clocked_core<Core>};

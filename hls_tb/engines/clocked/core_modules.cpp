@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
+#include <string_view>
 
 namespace stereo {
 namespace {
@@ -19,7 +20,10 @@ const CoreModule& load_core_module(const std::filesystem::path& file) {
    void* const library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
    const void* const entry = library != nullptr ? dlsym(library, "stereo_core_module") : nullptr;
    if (entry == nullptr) throw NoCoreModule(file.string() + " cannot be loaded: " + dlerror());
-   return *static_cast<const CoreModule*>(entry);
+   const CoreModule& module = *static_cast<const CoreModule*>(entry);
+   if (module.interface != std::string_view(STEREO_CORE_INTERFACE))
+      throw NoCoreModule(file.string() + " is of another build than this program; make it again with cmake --build");
+   return module;
 }
 
 const CoreModule& core_module(const std::string& name) {

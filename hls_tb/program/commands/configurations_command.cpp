@@ -12,11 +12,20 @@ namespace {
 
 nlohmann::json as_json(const Configuration& entry) {
    const CoreShape& shape = entry.shape;
-   nlohmann::json json = options_json(entry.options);
+   nlohmann::json json = options_json(entry.options), changed = nlohmann::json::array();
+   for (const OptionValue& option : entry.changed)
+      std::visit(
+          [&](const auto& value) {
+             const nlohmann::json text = value;
+             changed.push_back(option.name + " " + (text.is_string() ? text.get<std::string>() : text.dump()));
+          },
+          option.value);
    json.update({{"family", entry.family},
                 {"use", entry.use},
                 {"source_folder", entry.source_folder},
                 {"description", entry.description()},
+                {"options", changed},
+                {"disparities", entry.algorithm->map_geometry(shape.image.width_px).disparities},
                 {"disparity_bits", shape.disparity_bits},
                 {"output_width_px", shape.output_width_px},
                 {"output_height_px", shape.image.height_px},

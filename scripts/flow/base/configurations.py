@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of named configurations, as the C++ has it (hls/configurations.hpp)."""
+"""The table of named configurations, as the C++ has it (hls/FAMILY/configurations.hpp)."""
 
 import json
-from typing import TypedDict
+from typing import TypedDict, cast
 
 from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import find_stereo_hls, run
@@ -17,30 +17,11 @@ class Size(TypedDict):
 
 
 class Parameters(Size):
-    """One row of the table: hls/stereo_config.hpp defines what each means."""
+    """What is known of every configuration, whatever its family: hls/support/image.hpp, schedule.hpp. The options of
+    its family stand beside these."""
 
-    # What is computed.
-    min_disparity: int
-    window_px: int
-    reference: str
-    cost: str
-    census_width_px: int
-    census_height_px: int
-    prefilter: str
-    prefilter_cap: int
-    ties: str
-    left_right_threshold: int
-    uniqueness_percent: int
-    texture_threshold: int
-    subpixel: bool
-    median: bool
-    # How the core is built.
+    family: str
     pixels_per_clock: int
-    aggregation: str
-    cost_clocks: int
-    winner_group: int
-    slice_disparities: int
-    # What follows from both.
     output_width_px: int
     output_height_px: int
     disparity_bits: int
@@ -50,16 +31,34 @@ class Parameters(Size):
     gap_groups: int
 
 
-def configurations() -> dict[str, Parameters]:
+class Configuration(Parameters):
+    """One row of the table, with what says nothing about the hardware."""
+
+    use: str  # what it is there for
+    description: str  # such as "320x240, 100 disparities, window 3x3"
+    options: list[str]  # "name value" of the options that are not the family's defaults
+    source_folder: str  # of the family's core, from the project's root
+
+
+_ABOUT = ("use", "description", "options", "source_folder")
+
+
+def parameters_of(row: Configuration) -> Parameters:
+    """What decides the hardware."""
+    kept = {key: value for key, value in row.items() if key not in _ABOUT}
+    return cast(Parameters, kept)
+
+
+def configurations() -> dict[str, Configuration]:
     program = find_stereo_hls()
     try:
-        table: dict[str, Parameters] = json.loads(run([program, "configurations", "--json"]))
+        table: dict[str, Configuration] = json.loads(run([program, "configurations", "--json"]))
     except ValueError:
         raise FlowError(f"{program} does not list configurations as stereo_hls does", EXIT_TOOL_FAILED) from None
     return table
 
 
-def configuration(name: str, table: dict[str, Parameters] | None = None) -> Parameters:
+def configuration(name: str, table: dict[str, Configuration] | None = None) -> Configuration:
     """One row of the table, which is asked for where it is not given."""
     table = configurations() if table is None else table
     if name not in table:

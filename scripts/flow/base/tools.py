@@ -12,7 +12,6 @@ from pathlib import Path
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, EXIT_USAGE, FlowError
 
 ROOT = Path(__file__).resolve().parents[3]
-GENERATED_RTL = ROOT / "generated_rtl"
 BAMBU_DOWNLOAD = "https://release.bambuhls.eu"
 
 Word = str | Path | int | float  # of a command

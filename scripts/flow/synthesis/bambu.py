@@ -8,10 +8,10 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..base.configurations import Parameters
+from ..base.configurations import Configuration, parameters_of
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_bambu, run
-from .manifest import Estimate, hardware_digests
+from .manifest import Estimate, hardware_digests, top_options
 
 TOP = "stereo_core"
 WORK = ROOT / "build" / "synthesis"
@@ -46,19 +46,20 @@ class ToolRun:
     report: Estimate
 
 
-def synthesize(config: str, parameters: Parameters) -> ToolRun:
+def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory = WORK / config
-    options = ["hls/stereo_top.cpp", "-Ihls", f"-DSTEREO_CONFIGURATION={config}", *OPTIONS]
+    options = [*top_options(config, row), *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)
-    inputs = json.dumps([version, command, parameters, hardware_digests()], indent=1, sort_keys=True)
+    inputs = json.dumps([version, command, parameters_of(row), hardware_digests(config, row)], indent=1, sort_keys=True)
     stamp, log = directory / "inputs.json", directory / "bambu.log"
     if not stamp.is_file() or stamp.read_text() != inputs:
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
-        shutil.copytree(ROOT / "hls", directory / "hls", ignore=shutil.ignore_patterns("rtl"))
+        for folder in dict.fromkeys(("hls", row["source_folder"])):
+            shutil.copytree(ROOT / folder, directory / folder, ignore=shutil.ignore_patterns("rtl"))
         run([bambu, *options], cwd=directory, log=log)
         if not (directory / f"{TOP}.vhd").is_file():
             raise FlowError(f"Bambu wrote no {TOP}.vhd; see {log}", EXIT_TOOL_FAILED)

@@ -1,31 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/NAME/manifest.json: what the committed VHDL was made from, so that anyone can tell whether it still
-fits."""
+"""generated_rtl/FAMILY/NAME/manifest.json: what the committed VHDL was made from, so that anyone can tell whether it
+still fits."""
 
 import hashlib
 import json
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import Path
 from typing import TypedDict
 
-from ..base import json_files
-from ..base.configurations import Parameters
+from ..base import json_files, rtl
+from ..base.configurations import Configuration, Parameters, parameters_of
 from ..base.errors import FlowError
-from ..base.families import keeps_vhdl
-from ..base.tools import GENERATED_RTL, ROOT
+from ..base.tools import ROOT, find_tool, run
 
-FORMAT = "stereo-hls manifest 1"
+FORMAT = "stereo-hls manifest 2"
 KEYS = {
     "format": str,
     "configuration": str,
     "parameters": dict,
     "sources": dict,
+    "cells": dict,
     "files": dict,
+    "structure": str,
     "tool": str,
     "command": str,
     "tool_report": dict,
 }
+_DIGESTS = ("sources", "cells", "files")
+TOP = ROOT / "hls" / "top" / "stereo_top.cpp"
 Digests = dict[str, str]  # {file: SHA-256}
 
 
@@ -51,8 +55,10 @@ class Manifest(TypedDict):
     format: str
     configuration: str
     parameters: Parameters
-    sources: Digests
-    files: Digests
+    sources: Digests  # of all that it was made from
+    cells: Digests  # of the hand-written VHDL below it, from the project's root
+    files: Digests  # of what was made
+    structure: str  # structure.py: the same for VHDL that differs in names, comments and order only
     tool: str
     command: str
     tool_report: ToolReport
@@ -66,35 +72,46 @@ def _digests(paths: Iterable[Path]) -> Digests:
     return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
 
-def hardware_digests() -> Digests:
-    """The C++ of the core. The table of configurations is left out: a manifest holds the one row that counts, so that a
-    new configuration does not make the others stale."""
-    return _digests(path for path in sorted((ROOT / "hls").glob("*.[hc]pp")) if path.name != "configurations.hpp")
+def top_options(config: str, row: Configuration) -> list[str]:
+    """What a compiler needs to compile the hardware top, in the project's root."""
+    folders = dict.fromkeys((row["source_folder"], "hls"))
+    macros = {"STEREO_FAMILY": row["family"], "STEREO_CONFIGURATION": config}
+    return [
+        TOP.relative_to(ROOT).as_posix(),
+        "--std=c++20",
+        *(f"-I{folder}" for folder in folders),
+        *(f"-D{name}={value}" for name, value in macros.items()),
+    ]
 
 
-def source_digests() -> Digests:
-    """Every file that decides what the VHDL looks like: the core, its memory cell, the names of its registers and the
-    steps that write the VHDL."""
-    synthesis, names = ROOT / "scripts" / "flow" / "synthesis", ROOT / "hls_tb" / "vectors"
-    return hardware_digests() | _digests(
-        [
-            ROOT / "hls" / "rtl" / "line_memory.vhd",
-            names / "register_names.hpp",
-            names / "slice_register_names.hpp",
-            synthesis / "bambu.py",
-            synthesis / "generate.py",
-            *sorted((synthesis / "lowering").rglob("*.py")),
-        ]
-    )
+@lru_cache(maxsize=None)
+def _included(folder: str, family: str, config: str) -> tuple[Path, ...]:
+    """The hardware top and all that it includes, as the compiler finds it."""
+    row: Configuration = {"source_folder": folder, "family": family}  # type: ignore[typeddict-item]
+    compiler = find_tool("c++", "CXX", "on Debian: apt-get install g++")
+    rule = run([compiler, *top_options(config, row), "-MM"], cwd=ROOT)
+    return tuple(sorted(ROOT / name for name in rule.replace("\\\n", " ").split(":", 1)[1].split()))
 
 
-def known_configurations() -> list[str]:
-    """The folders with a manifest. Some may lack the VHDL, which the repository does not keep of all."""
-    return sorted(path.parent.name for path in GENERATED_RTL.glob("*/manifest.json"))
+def hardware_digests(config: str, row: Configuration) -> Digests:
+    """The C++ of the core. The family's table of configurations is left out: a manifest holds the one row that counts,
+    so that a new configuration does not make the others stale."""
+    family = row["family"]
+    table = ROOT / row["source_folder"] / family / "configurations.hpp"
+    # Rows differ in values only: one of them stands for all.
+    included = _included(row["source_folder"], family, config)
+    return _digests(path for path in included if path != table)
 
 
-def has_vhdl(name: str) -> bool:
-    return all((GENERATED_RTL / name / file).is_file() for file in read(GENERATED_RTL / name)["files"])
+def source_digests(config: str, row: Configuration) -> Digests:
+    """Every file that decides what the VHDL looks like: the core and the steps that write the VHDL."""
+    synthesis = ROOT / "scripts" / "flow" / "synthesis"
+    steps = [synthesis / "bambu.py", synthesis / "generate.py", *sorted((synthesis / "lowering").rglob("*.py"))]
+    return hardware_digests(config, row) | _digests([*steps, ROOT / "scripts" / "flow" / "base" / "rtl.py"])
+
+
+def cell_digests() -> Digests:
+    return _digests([rtl.MEMORY_CELL])
 
 
 def write(directory: Path, manifest: Manifest) -> None:
@@ -118,7 +135,7 @@ def read(directory: Path) -> Manifest:
     if manifest["format"] != FORMAT:
         raise FlowError(f"damaged manifest {path}: format {manifest['format']!r} instead of '{FORMAT}'")
     unusable = [key for key, kind in KEYS.items() if not isinstance(manifest[key], kind)]
-    unusable += [key for key in ("sources", "files") if key not in unusable and not _are_digests(manifest[key])]
+    unusable += [key for key in _DIGESTS if key not in unusable and not _are_digests(manifest[key])]
     if unusable:
         raise FlowError(f"damaged manifest {path}: unusable {', '.join(unusable)}")
     checked: Manifest = manifest
@@ -129,42 +146,47 @@ def _are_digests(entries: dict[str, object]) -> bool:
     return all(re.fullmatch(r"[\w./-]{1,200}", name) and isinstance(value, str) for name, value in entries.items())
 
 
+def digests(entry: Manifest) -> Digests:
+    """Of all VHDL that a core consists of."""
+    return entry["cells"] | entry["files"]
+
+
 def vhdl_files(directory: Path) -> list[Path]:
-    """The VHDL of one folder in compile order, each checked against its digest."""
+    """The VHDL of one core in compile order, each file checked against its digest. `directory`: a folder of
+    generated_rtl/, or a copy of it."""
     entry = read(directory)
-    config = entry["configuration"]
-    paths = []
-    for name, expected in entry["files"].items():
-        path = directory / name
-        if not path.is_file() and not keeps_vhdl(config):
-            raise FlowError(
-                f"the repository does not keep the VHDL of {config}; make it with "
-                f"scripts/synthesize.py --config {config}, which needs Bambu"
-            )
+    expected = {ROOT / name: value for name, value in entry["cells"].items()}
+    expected |= {directory / name: value for name, value in entry["files"].items()}
+    if not entry["files"]:
+        raise FlowError(f"damaged manifest {directory / 'manifest.json'}: it names no VHDL file")
+    for path, value in expected.items():
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
-        if digest(path) != expected:
+        if digest(path) != value:
             raise FlowError(f"{path} differs from its manifest; it was edited by hand, or the manifest is damaged")
-        paths.append(path)
-    if not paths:
-        raise FlowError(f"damaged manifest {directory / 'manifest.json'}: it names no VHDL file")
-    return paths
+    return list(expected)
 
 
-def stale_reasons(name: str, parameters: Parameters) -> list[str]:
+def core_files(config: str) -> list[Path]:
+    """The committed VHDL of one configuration, in compile order."""
+    return vhdl_files(rtl.folder(config))
+
+
+def stale_reasons(name: str, row: Configuration) -> list[str]:
     """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is
     well."""
-    manifest = read(GENERATED_RTL / name)
+    directory = rtl.folder(name)
+    manifest = read(directory)
     reasons = []
     for file, expected in manifest["files"].items():
-        path = GENERATED_RTL / name / file
+        path = directory / file
         if not path.is_file():
-            reasons += [f"{file} is missing"] if keeps_vhdl(name) else []
+            reasons.append(f"{file} is missing")
         elif digest(path) != expected:
             reasons.append(f"{file} was edited")
-    if manifest["parameters"] != parameters:
-        reasons.append("its row in hls/configurations.hpp changed")
-    now, then = source_digests(), manifest["sources"]
+    if manifest["parameters"] != parameters_of(row):
+        reasons.append(f"its row in {row['family']}/configurations.hpp changed")
+    then, now = manifest["sources"] | manifest["cells"], source_digests(name, row) | cell_digests()
     for path_text in sorted(set(now) | set(then)):
         if now.get(path_text) != then.get(path_text):
             change = (

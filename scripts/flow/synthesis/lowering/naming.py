@@ -13,6 +13,7 @@ from .evaluate import compile_step, initial_state
 from .expressions import bit_not, leaf, walk, wrap
 from .netlist import WORDS, Netlist
 
+_UNNAMED = "other_"  # start of the names of registers that hold nothing of the C++ core
 Values = tuple[int, ...]  # one a clock
 Trace = dict[str, Values]  # of the inputs ("in_..."), outputs ("out_...") and registers of the C++ core
 
@@ -58,6 +59,28 @@ def _names_by_values(trace: Trace) -> dict[Values, list[str]]:
     return found
 
 
+def _packed(trace: Trace) -> dict[str, list[Values]]:
+    """The arrays of registers of the C++ core: {name without the index: values of the elements}."""
+    arrays: dict[str, list[Values]] = {}
+    for name, values in trace.items():
+        array, _, index = name.rpartition("_")
+        if index.isdigit() and not name.startswith(("in_", "out_")):
+            arrays.setdefault(array, []).append(values)
+    return arrays
+
+
+def _packed_name(arrays: dict[str, list[Values]], values: Values, width: int) -> str | None:
+    """The array that a register holds as one word, element 0 in the lowest bits."""
+    for name, elements in arrays.items():
+        bits, rest = divmod(width, len(elements))
+        if rest == 0 and all(
+            value == sum(element << bits * lane for lane, element in enumerate(lanes))
+            for value, lanes in zip(values, zip(*elements))
+        ):
+            return name
+    return None
+
+
 def adopt_cpp_values(netlist: Netlist, trace: Trace) -> None:
     """Where the tool keeps the complement of a C++ bit, or a negative number as a large positive one, keeps what C++
     has."""
@@ -83,12 +106,17 @@ def name_registers(netlist: Netlist, trace: Trace) -> None:
     """Renames and orders the registers after the C++ core, and memories after the registers that take their data."""
     names = _names_by_values(trace)
     order = {name: place for place, name in enumerate(trace)}
+    arrays = _packed(trace)
     others = 0
     for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
         if names.get(values):
             register.name = names[values].pop(0)
+        elif array := _packed_name(arrays, values, register.value.width):
+            register.name = array
+            order[array] = order[f"{array}_0"]
+            del arrays[array]
         else:
-            register.name = f"other_{others}"
+            register.name = f"{_UNNAMED}{others}"
             order[register.name] = len(order)
             others += 1
     netlist.registers.sort(key=lambda r: order[r.name])
@@ -97,6 +125,6 @@ def name_registers(netlist: Netlist, trace: Trace) -> None:
         memory.name = f"{reader}_memory"
 
 
-def count_named(netlist: Netlist, trace: Trace) -> int:
+def count_named(netlist: Netlist) -> int:
     """How many registers have found their name."""
-    return sum(register.name in trace for register in netlist.registers)
+    return sum(not register.name.startswith(_UNNAMED) for register in netlist.registers)

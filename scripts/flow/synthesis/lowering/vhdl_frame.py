@@ -1,18 +1,50 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What every VHDL file of a core has: its ports, and the functions that expressions call."""
+"""What every VHDL file of a core has: its entity, and the functions that expressions call."""
 
-PORTS = """\
-    clock : in std_logic;
-    reset : in std_logic;  -- synchronous, active high
-    left_pixel : in std_logic_vector({high} downto 0);  -- 8 bits a row, the upper row in bits 7 ... 0
-    right_pixel : in std_logic_vector({high} downto 0);
-    start_of_frame : in std_logic;  -- with column 0 of the first rows
-    valid : in std_logic;  -- 0: bubble
-    disparity : out std_logic_vector({disparity_high} downto 0);
-    pixel_valid : out std_logic_vector({rows} downto 0);  -- a bit a row: the disparity has passed every check
-    disparity_valid : out std_logic;
-    disparity_start_of_frame : out std_logic;
-    disparity_end_of_line : out std_logic"""
+from typing import NamedTuple
+
+from ...base import rtl
+
+
+class Entity(NamedTuple):
+    """`generics`: {name: value}, in VHDL's order; others stop elaboration. They give the ports their widths."""
+
+    name: str
+    generics: dict[str, int]
+
+    def text(self) -> str:
+        generics = ";\n".join(
+            f"    {name} : {'positive' if value > 0 else 'natural'} := {value}" for name, value in self.generics.items()
+        )
+        checks = "\n".join(
+            f'  assert {name} = {value} report "{self.name}: {name} is " & integer\'image({name}) & '
+            f'" but this core has {value}" severity failure;'
+            for name, value in self.generics.items()
+        )
+        return ENTITY.format(name=self.name, generics=generics, ports=self._ports(), checks=checks)
+
+    def _ports(self) -> str:
+        ports = ["    clock : in std_logic;", "    reset : in std_logic;  -- synchronous, active high"]
+        for port in rtl.PORTS:
+            kind = rtl.port_type(port, self.generics["pixels_per_clock"], self.generics["disparity_bits"])
+            end = "" if port is rtl.PORTS[-1] else ";"
+            ports.append(f"    {port.name} : {port.direction} {kind}{end}" + (f"  -- {port.meaning}" if port.meaning else ""))
+        return "\n".join(ports)
+
+
+ENTITY = """\
+entity {name} is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+{generics}
+  );
+  port (
+{ports}
+  );
+begin
+{checks}
+end entity;
+"""
 HELPERS = """\
   function magnitude(value : integer) return natural is
   begin

@@ -8,10 +8,11 @@ from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .expressions import Node, walk
 from .netlist import WORDS, Netlist, Register
 from .reset import control_registers, memory_read_register, split_hold
-from .vhdl_frame import HELPERS, PORTS
+from .vhdl_frame import HELPERS, Entity
 from .vhdl_text import Names, Writer, is_wide, type_of, without_outer_parentheses
 
 LINE = 120
+__all__ = ["Entity", "VhdlWriter"]
 _VARIABLE_KINDS = {
     "lt": "is_less",
     "ge": "is_not_less",
@@ -31,11 +32,10 @@ _VARIABLE_KINDS = {
 
 
 class VhdlWriter:
-    def __init__(self, netlist: Netlist, header: str, disparity_bits: int = 8) -> None:
-        """`disparity_bits`: of each row in the output word."""
-        self.netlist, self.header = netlist, header
-        self.pixels = max([8, *(node.width for node in netlist.inputs.values())]) // 8
-        self.output_bits = {"disparity": disparity_bits * self.pixels, "pixel_valid": self.pixels}
+    def __init__(self, netlist: Netlist, header: str, entity: Entity) -> None:
+        self.netlist, self.header, self.entity = netlist, header, entity
+        pixels = entity.generics["pixels_per_clock"]
+        self.output_bits = {"disparity": entity.generics["disparity_bits"] * pixels, "pixel_valid": pixels}
         self.names: Names = {id(r.value): (r.name, is_wide(r.value)) for r in netlist.registers}
         self.reads = {id(m): memory_read_register(netlist, m) for m in netlist.memories}
         for register, _ in self.reads.values():
@@ -56,15 +56,8 @@ class VhdlWriter:
             "use ieee.std_logic_1164.all;",
             "use ieee.numeric_std.all;",
             "",
-            "entity stereo_core is",
-            "  port (",
-            PORTS.format(
-                high=8 * self.pixels - 1, disparity_high=self.output_bits["disparity"] - 1, rows=self.pixels - 1
-            ),
-            "  );",
-            "end entity;",
-            "",
-            "architecture rtl of stereo_core is",
+            self.entity.text(),
+            f"architecture rtl of {self.entity.name} is",
             HELPERS,
             self._declarations(),
             "begin",

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether two cores are the same but for names, comments and the order of their statements.
+
+Each signal and variable is described by its type and by what is assigned to it. In that description, the names of others
+give way to their own descriptions, round after round, until no round tells more of them apart (colour refinement). Ports
+keep their names, so every output hangs on what it hung on before.
+"""
+
+import hashlib
+import re
+from collections.abc import Iterator
+
+from ..base.errors import FlowError
+
+_TOKEN = re.compile(r"--[^\n]*|\s+|(:=|<=|>=|/=|=>|\*\*|'[01]'|\"[^\"]*\"|\w+|.)")
+Words = list[str]
+
+
+def structure_digest(vhdl: str) -> str:
+    """Of the text of one core, as the lowering writes it."""
+    return Structure(vhdl).digest()
+
+
+class Structure:
+    def __init__(self, vhdl: str) -> None:
+        self.kinds: dict[str, str] = {}  # of signals and variables
+        self.definitions: dict[str, Words] = {}  # what is assigned to each signal, variable or output
+        words = [match[1] for match in _TOKEN.finditer(vhdl) if match[1]]
+        entity, architecture = words.index("entity"), words.index("architecture")
+        self.ports = _ports(words[entity:architecture])
+        declarations = words.index("signal", architecture)
+        body = words.index("begin", declarations)
+        self.functions = words[words.index("is", architecture) + 1 : declarations]
+        self._declarations(words[declarations:body])
+        self._concurrent(words[body + 1 :])
+
+    def digest(self) -> str:
+        colours = {name: _hash([kind]) for name, kind in self.kinds.items()}
+        classes = 0
+        while classes < len(set(colours.values())):
+            classes = len(set(colours.values()))
+            colours = {name: self._described(name, colours) for name in self.kinds}
+        outputs = {name: self._described(name, colours) for name in self.definitions if name not in self.kinds}
+        ends = [f"{name} {colour}" for name, colour in sorted(outputs.items())]
+        return _hash([*self.functions, *self.ports, *ends, *sorted(colours.values())])
+
+    def _described(self, name: str, colours: dict[str, str]) -> str:
+        words = [self.kinds.get(name, ""), *self.definitions.get(name, [])]
+        return _hash([colours.get(word, word) for word in words])
+
+    def _declarations(self, words: Words) -> None:
+        for statement in _statements(words):
+            if statement[0] in ("signal", "variable"):
+                colon = statement.index(":")
+                kind = " ".join(statement[colon + 1 :])
+                self.kinds.update({name: kind for name in statement[1:colon] if name != ","})
+
+    def _assign(self, name: str, words: Words) -> None:
+        """Several branches may assign to one variable; they come in their order."""
+        self.definitions.setdefault(name, []).extend([*words, ";"])
+
+    def _concurrent(self, words: Words) -> None:
+        while words[0] != "end":
+            if words[0] == "process":
+                end = _index(words, "end", "process")
+                self._process(words[:end])
+                words = words[end + 3 :]
+                continue
+            end = words.index(";")
+            statement, words = words[:end], words[end + 1 :]
+            if statement[1] == "<=":
+                self._assign(statement[0], statement[1:])
+            else:  # label : entity work.cell generic map (...) port map (... read_data => name, ...)
+                made = statement[_index(statement, "read_data", "=>") + 2]
+                self._assign(made, statement[2:])
+
+    def _process(self, words: Words) -> None:
+        begin = words.index("begin")
+        variables = words.index("variable") if "variable" in words[:begin] else begin
+        self._declarations(words[variables:begin])
+        open_ifs: list[Words] = []  # the words of their branches so far
+        for statement in _sequence(words[begin + 1 :]):
+            if statement[0] == "if":
+                open_ifs.append(statement)
+            elif statement[0] in ("elsif", "else"):
+                open_ifs[-1] = open_ifs[-1] + statement
+            elif statement[0] == "end":
+                open_ifs.pop()
+            else:
+                path = [word for branches in open_ifs for word in branches]
+                self._assign(statement[0], [*path, *statement[1:]])
+
+
+def _ports(entity: Words) -> Words:
+    start = _index(entity, "port", "(")
+    return entity[start : start + _index(entity[start:], ")", ";")]
+
+
+def _index(words: Words, *wanted: str) -> int:
+    """Of the first place where these words follow each other."""
+    for at in range(len(words) - len(wanted) + 1):
+        if words[at : at + len(wanted)] == list(wanted):
+            return at
+    raise FlowError(f"unknown form of VHDL: no '{' '.join(wanted)}'")
+
+
+def _statements(words: Words) -> Iterator[Words]:
+    while words:
+        end = words.index(";")
+        yield words[:end]
+        words = words[end + 1 :]
+
+
+def _sequence(words: Words) -> Iterator[Words]:
+    """Assignments, `if c then`, `elsif c then`, `else`, `end if`, each by itself."""
+    statement: Words = []
+    for word in words:
+        if word == ";":
+            yield statement
+            statement = []
+        else:
+            statement.append(word)
+            # `else` inside an assignment is a conditional value.
+            if word == "then" or (word == "else" and len(statement) == 1):
+                yield statement
+                statement = []
+
+
+def _hash(words: Words) -> str:
+    return hashlib.sha256("\0".join(words).encode()).hexdigest()
