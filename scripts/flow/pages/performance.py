@@ -4,14 +4,14 @@
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from ..base.families import PAPER as PAPER_FAMILY, TINY, family
+from ..base import rtl
 from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
 from ..cosim.record import Run
 from ..implementation import figures
 from ..implementation.results import Configuration
 from ..implementation.yosys import TARGETS
-from ..synthesis.manifest import known_configurations
+from ..synthesis.manifest import with_use
 from .published import PAPER, PUBLISHED, SYSTEMS
 
 PAGE = ROOT / "docs" / "performance.md"
@@ -21,8 +21,8 @@ Grid = tuple[list[str], list[list[str]]]  # (head, rows)
 
 
 def page() -> str:
-    """The paper's core and its small twins; other families have pages of their own."""
-    shown = [Configuration(name) for name in known_configurations() if family(name) in (PAPER_FAMILY, TINY)]
+    """The paper's core and its small twins; the others have pages of their own."""
+    shown = [Configuration(name) for name in with_use("paper", "tiny")]
     return TEXT.read_text().format(
         per_clock=per_clock_table(shown),
         speed=speed_table(shown),
@@ -155,7 +155,7 @@ def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
     rows = []
     for system, what, published, source, name in SYSTEMS:
         start = [system, what, number(published), source, code(name) if name else "not done yet"]
-        if name is None or name not in known_configurations():
+        if name is None or name not in rtl.known_configurations():
             rows.append([*start, *[UNKNOWN] * 8])
             continue
         c = make(name)
