@@ -12,7 +12,6 @@ from flow_commands import cosim, random_pair, report, scene
 
 TABLE = configurations()
 OPTIONS = sorted(name for name, row in TABLE.items() if row["use"] in ("option", "example"))
-SYSTEMS = sorted(name for name, row in TABLE.items() if row["use"] == "system")
 
 
 def passed(process, out, config, frames):
@@ -51,9 +50,3 @@ def test_bubbles_on_a_scene(ghdl, tmp_path, config):
 @pytest.mark.parametrize("config", OPTIONS)
 def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
     assert to_verilog(manifest.core_files(config), tmp_path, rtl.core_entity(config)).count("endmodule") >= 1
-
-
-@pytest.mark.parametrize("config", SYSTEMS)
-def test_whole_frame_of_a_system(verilator, tmp_path, config):
-    process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
-    passed(process, tmp_path / "out", config, 1)

@@ -11,6 +11,7 @@ from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.cosim import record
 from flow.pages import performance
+from flow.pages.published import System
 from flow.synthesis import manifest
 from flow_commands import call, refused
 
@@ -74,7 +75,7 @@ def test_damaged_results_are_refused(folder, content):
 
 
 def test_the_page_shows_them(folder, monkeypatch):
-    monkeypatch.setattr(performance, "SYSTEMS", [("ours", "32x12", None, "", "tiny")])
+    monkeypatch.setattr(performance, "SYSTEMS", [System("ours", "32x12", None, "", "tiny")])
     record.keep(REPORT)
     head, rows = performance.systems()
     shown = dict(zip(head, rows[0]))

@@ -65,6 +65,14 @@ def test_published_numbers(folders):
     assert "| 153,120 | 50.2 | 425 | 3,264 | 15,616 | 884,736 |" in row(page, "Ambrosch")
     assert "79,056" in row(page, "Vitis") and "15,925" in row(page, "SGM")
     assert "not done yet" in row(page, "trellis") and "| 200 |" in row(page, "DeepSea")
+    assert "1300x640, D not stated" in row(page, "Kim")
+
+
+def test_no_frame_rate_that_the_paper_prints_is_missing():
+    printed = {"the paper's own software": 1.24, "Lee et al.": 122, "Kim et al.": 30, "PARTS": 42, "DeepSea": 200}
+    printed |= {"Masrani et al.": 30, "Miyajima et al.": 18.9, "Yi et al.": 30, "Han and Hwang": 60}
+    shown = {(system.name, system.frames_per_second) for system in performance.SYSTEMS}
+    assert shown >= set(printed.items()) | {("Niitsuma et al.", 30), ("Niitsuma et al.", 840)}
 
 
 def test_stale_results_are_refused(folders):

@@ -149,12 +149,14 @@ def compared(run: Run | None) -> str:
 
 def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
     """The systems that the paper compares itself with, and this core as they were. `make`: configuration of a name."""
-    head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame"]
+    head = ["system", "platform", "point", "its frames a second", "published in", "this core", "clocks a frame"]
     head += ["register bits", "memory bits", "compared in GHDL", "compared in Verilator", "LUT4", "ALUTs"]
     head.append("frames a second on ECP5")
     rows = []
-    for system, what, published, source, name in SYSTEMS:
-        start = [system, what, number(published), source, code(name) if name else "not done yet"]
+    for system in SYSTEMS:
+        name, fps = system.configuration, system.frames_per_second
+        start = [system.name, system.platform, system.point, UNKNOWN if fps is None else f"{fps:g}", system.source]
+        start.append(code(name) if name else "not done yet")
         if name is None or name not in rtl.known_configurations():
             rows.append([*start, *[UNKNOWN] * 8])
             continue
