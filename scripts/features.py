@@ -15,7 +15,8 @@ from flow.pages import features
 def main() -> int:
     parser = ArgumentParser(prog="features.py", description=__doc__)
     parser.add_argument("--check", action="store_true", help="only say whether the page is up to date")
-    return files.update({features.PAGE: features.page()}, parser.parse_args().check, "scripts/features.py")
+    options = parser.parse_args()
+    return files.update({features.PAGE: features.page()}, options.check, "scripts/features.py")
 
 
 if __name__ == "__main__":

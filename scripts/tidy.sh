@@ -33,8 +33,8 @@ cmake -B "$work" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMM
 
 sources=("$@")
 if [ $# -eq 0 ]; then
-   mapfile -t sources < <(ls hls_tb/{app,models,vectors,fuzz,bench}/*.cpp hls/stereo_top.cpp |
-      grep -v -e '_test\.cpp$' -e 'vectors/configuration_' -e 'libfuzzer_entry')
+   mapfile -t sources < <(find hls_tb hls/top -name '*.cpp' |
+      grep -v -e '_test\.cpp$' -e '/testing/' -e '/cosim/verilator' -e '/shell/' -e '_rejected' -e 'libfuzzer_entry' | sort)
 fi
 echo "${#sources[@]} files"
 # Each file's findings in one piece, whatever runs beside it.

@@ -64,7 +64,7 @@ def test_results_of_other_vhdl_do_not_count(folder):
         "",
         "[]",
         "{}",
-        '{"format": "stereo-hls cosimulation 2", "runs": {}}',
+        '{"format": "stereo-hls cosimulation 9", "runs": {}}',
         json.dumps({"format": record.FORMAT, "runs": {"ghdl": {"compared": "all"}}}),
     ],
 )

@@ -128,7 +128,7 @@ def test_memory_in_flip_flops_fails(build, tools):
 )
 def test_bad_options(build, tools, options, words):
     refused(call("implement.py", *options, environment=stand_ins.environment(tools)), 2, *words)
-    assert not (build / "generated_rtl/tiny/implementation.json").exists()
+    assert not (build / TINY / "implementation.json").exists()
 
 
 @pytest.mark.parametrize("variable,name", [("GHDL", "ghdl"), ("YOSYS", "yosys"), ("NEXTPNR_ECP5", "nextpnr-ecp5")])
@@ -151,7 +151,7 @@ def test_missing_tools(build, tools, variable, name):
 )
 def test_failing_tools(build, tools, stand_in, words):
     refused(run_tiny(tools, "--target", "ecp5", **stand_in), 4, *words)
-    assert not (build / "generated_rtl/tiny/implementation.json").exists()
+    assert not (build / TINY / "implementation.json").exists()
 
 
 def test_offline_without_nextpnr(build, tools):
@@ -164,7 +164,7 @@ def test_offline_without_nextpnr(build, tools):
 
 
 def test_damaged_results(build, tools):
-    path = build / "generated_rtl/tiny/implementation.json"
+    path = build / TINY / "implementation.json"
     for text in ("{", "[]", '{"format": "other"}'):
         path.write_text(text)
         refused(run_tiny(tools, "--target", "xc7"), 2, "damaged", "implementation.json")

@@ -43,7 +43,7 @@ def named(netlist, values):
     adopt_cpp_values(netlist, values)
     merge_twins(netlist)
     name_registers(netlist, values)
-    return count_named(netlist, values)
+    return count_named(netlist)
 
 
 def test_names_inverses_and_twins(tmp_path):

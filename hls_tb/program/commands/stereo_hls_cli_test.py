@@ -30,11 +30,7 @@ def test_configurations_as_json():
         "width_px",
         "height_px",
         "disparities",
-        "window_px",
         "pixels_per_clock",
-        "slice_disparities",
-        "cost_clocks",
-        "winner_group",
         "disparity_bits",
         "output_width_px",
         "output_height_px",
@@ -43,7 +39,9 @@ def test_configurations_as_json():
         "gap_groups",
     }
     for values in table.values():
-        assert keys <= values.keys()
+        assert keys | {"family", "use", "description", "options"} <= values.keys()
+        if values["family"] == "block_matching":
+            assert {"window_px", "slice_disparities", "cost_clocks", "winner_group"} <= values.keys()
     for name in ("tiny", "ambrosch2007"):
         assert table[name]["output_width_px"] == table[name]["width_px"] - table[name]["disparities"]
     assert [table[name]["pixels_per_clock"] for name in ("tiny", "tiny_p2", "tiny_p4")] == [1, 2, 4]
@@ -181,10 +179,10 @@ def trace_columns(tmp_path, config):
 @pytest.mark.parametrize("config, pixels", [("tiny", 1), ("tiny_p2", 2), ("tiny_p4", 4)])
 def test_trace_names_what_the_registers_show(tmp_path, config, pixels):
     trace = trace_columns(tmp_path, config)
-    lanes = [trace[f"raster_search_{p}"] for p in range(pixels)]
+    lanes = [trace[f"raster_features_search_{p}"] for p in range(pixels)]
     words = [sum(value << 8 * p for p, value in enumerate(column)) for column in zip(*lanes)]
     assert words[1:] == list(trace["in_left_pixel"][:-1])  # a register shows its input one clock later
-    assert trace["raster_reference_words_0"][1:] == trace["in_right_pixel"][:-1]
+    assert trace["raster_features_reference_0"][1:] == tuple(word & 255 for word in trace["in_right_pixel"][:-1])
     assert trace["slice0shift_reference_1"][1:] == trace["rows_reference_1"][:-1]
     difference = trace["slice0cost_difference_1_0"]
     left, right = trace["slice0shift_search_1_0"], trace["slice0shift_reference_1"]
@@ -193,16 +191,16 @@ def test_trace_names_what_the_registers_show(tmp_path, config, pixels):
     # 8 disparities in slices of 3, 3 and 2; two levels of winners.
     for name in (
         "slice2shift_search_out_0",
-        "slice2winner2_index_0_0",
-        "slice2best_index_0_0",
+        "slice2winner2_best_index_0_0",
+        "slice2_best_index_0_0",
         "slice0window_partial_0_1_2",
-        "slice0window_centre_0_output_column",
-        "slice0best_tag_end_of_line",
+        "slice0window_centre_output_column_0",
+        "slice0_best_tag_end_of_line",
         "rows_ready_tag_border_column",
     ):
         assert name in trace
     assert not any(name.startswith("slice3") for name in trace)
-    assert f"slice2best_cost_{pixels - 1}_0" in trace and f"slice2best_cost_{pixels}_0" not in trace
+    assert f"slice2_best_cost_{pixels - 1}_0" in trace and f"slice2_best_cost_{pixels}_0" not in trace
 
 
 def test_unknown_configuration_lists_the_known(tmp_path, match):

@@ -52,8 +52,7 @@ def find_stereo_hls() -> str:
         if candidate.is_file() and os.access(candidate, os.X_OK):
             return str(candidate)
     raise FlowError(
-        f"stereo_hls not found at {candidates[0]}; build it with: cmake --preset release && "
-        "cmake --build --preset release",
+        f"stereo_hls not found at {candidates[0]}; build it with scripts/setup.sh, or scripts/setup.sh --core CONFIG",
         EXIT_MISSING_TOOL,
     )
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The text files between the C++ core, the simulators and the checker.
 
-stimulus.txt, expected.txt   what the C++ core makes: hls_tb/vectors/vector_files.hpp defines them
+stimulus.txt, expected.txt   what the C++ core makes: hls_tb/cosim/vector_files.hpp defines them
 observed.txt                 "clock DISPARITY flags" for each valid output of the simulated VHDL, with the word and the
                              flags of expected.txt, then "end CLOCKS"; "clock X X" where an output was neither 0 nor 1
 

@@ -29,14 +29,14 @@ class Group(NamedTuple):
 GROUPS = [
     Group("inputs", r"reset|start_of_frame|valid|left_pixel|right_pixel", True, True),
     Group("outputs", r"disparity|pixel_valid|disparity_(valid|start_of_frame|end_of_line)", True, True),
-    Group("place in the frame", r"raster_(column|group|valid)", True, True),
+    Group("place in the frame", r"raster_(place_(column|group)|features_valid)", True, True),
     Group(
         "winner's path: the best of each slice",
-        r"slice\d+best_(cost|index)_\d+_\d+|slice\d+best_tag_valid",
+        r"slice\d+_best_(cost|index)_\d+_\d+|slice\d+_best_tag_valid",
         on_page=True,
         is_open=True,
     ),
-    Group("after the winner", r"(refinement|leftright|texture|median)_\w+", False, False),
+    Group("after the winner", r"(refinement|leftright|texture|map)_\w+", False, False),
     Group("winner trees", r"slice\d+winner\d+_\w+", False, False),
     Group("window sums", r"slice\d+window_sum_\w+", False, False),
 ]

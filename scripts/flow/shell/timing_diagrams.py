@@ -75,7 +75,7 @@ def windows(recordings: dict[str, Recording]) -> dict[str, Window]:
 
 
 def record(out: Path) -> dict[str, Recording]:
-    """What hls_tb/axi/diagrams.py writes down, by the name of its test."""
+    """What hls_tb/shell/diagrams.py writes down, by the name of its test."""
     out.mkdir(parents=True, exist_ok=True)
     os.environ["STEREO_AXI_DIAGRAMS"] = str(out)
     simulation = cocotb_runs.Ghdl("tiny", WORK / "ghdl")

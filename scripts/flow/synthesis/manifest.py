@@ -30,7 +30,7 @@ KEYS = {
     "tool_report": dict,
 }
 _DIGESTS = ("sources", "cells", "files")
-TOP = ROOT / "hls" / "top" / "stereo_top.cpp"
+TOP = "hls/top/stereo_top.cpp"
 Digests = dict[str, str]  # {file: SHA-256}
 
 
@@ -79,7 +79,7 @@ def top_options(config: str, family: str, source_folder: str) -> list[str]:
     folders = dict.fromkeys((source_folder, "hls"))
     macros = {"STEREO_FAMILY": family, "STEREO_CONFIGURATION": config}
     return [
-        TOP.relative_to(ROOT).as_posix(),
+        TOP,
         "--std=c++20",
         *(f"-I{folder}" for folder in folders),
         *(f"-D{name}={value}" for name, value in macros.items()),
