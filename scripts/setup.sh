@@ -59,7 +59,7 @@ if [ "${1:-}" = --core ]; then
    program=build/$preset/stereo_hls
    [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" -Wno-dev
    cmake --build --preset "$preset" --target stereo_hls
-   "$program" configurations | grep -q "^$2:" || {
+   "$program" configurations | grep "^$2:" >/dev/null || {
       echo "setup.sh: unknown configuration '$2' (see $program configurations)" >&2
       exit 2
    }
