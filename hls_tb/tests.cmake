@@ -62,7 +62,9 @@ stereo_add_unit_tests(
   definition/block_matching/opencv_stereo_bm_test.cpp
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
+  definition/semi_global/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
+  engines/fast/semi_global/fast_model_test.cpp
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
   program/depth/depth_test.cpp
