@@ -22,7 +22,7 @@ struct ForwardPaths {
    static constexpr bool kHasSmallest = C.path_left || C.path_right;
    using Left = RowPath<C>;
    using Above = Optional<C.path_above, PathAbove<C>>;
-   using CostDelay = MoveDelay<C.cost_bits(), kCount, kLevels + 1>;
+   using CostDelay = Optional<kHasSmallest, MoveDelay<C.cost_bits(), kCount, kLevels + 1>>;
    static constexpr int kPathMoves = kLevels + Left::kMoves;
    static_assert(!C.path_above || PathAbove<C>::kMoves == kPathMoves, "the paths must meet");
    static constexpr int kMoves = kPathMoves + 1;

@@ -7,6 +7,7 @@
 #include "semi_global/row_path.hpp"
 #include "semi_global/row_turn.hpp"
 #include "support/move_delay.hpp"
+#include "support/optional_block.hpp"
 
 namespace stereo::semi_global {
 
@@ -51,7 +52,7 @@ struct TagMoves {
 template <const Config& C>
 struct ForwardSums {
    static constexpr int kMemories = 0;
-   static constexpr int kClocks = 1;  // the last column enters a move before
+   static constexpr int kClocks = 2;
    static constexpr int kLagGroups = ForwardPaths<C>::kMoves - 1;
    using Value = WindowCost<kSumConfig<C>>;
 
@@ -89,9 +90,8 @@ struct TurnedSums {
    static constexpr bool kHasSums = Turn::kHasSums;
    /// Moves from the words that have been read to K of the path.
    static constexpr int kMoves = Turn::kMoves + Right::kMoves;
-   using SumDelay = MoveDelay<bits_for(C.largest_forward_sum()), kCount, Right::kMoves>;
-   static constexpr int kSumMemories = kHasSums ? SumDelay::kMemories : 0;
-   static constexpr int kMemories = Turn::kMemories + kSumMemories;
+   using SumDelay = Optional<kHasSums, MoveDelay<bits_for(C.largest_forward_sum()), kCount, Right::kMoves>>;
+   static constexpr int kMemories = Turn::kMemories + SumDelay::kMemories;
    static constexpr int kClocks = 2;
    static constexpr int kLagGroups = C.width_px + kMoves - 1;
    using Value = WindowCost<kSumConfig<C>>;

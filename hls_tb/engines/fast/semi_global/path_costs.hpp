@@ -127,30 +127,34 @@ class WindowCosts {
          difference_row(pixels_, y, lanes_, true, from);
       }
       Sum* const __restrict to = columns_.data();
-      for (std::size_t i = 0; i < row_size_; ++i) to[i] = Sum(to[i] + from[i]);
+      const std::size_t size = row_size_;
+      for (std::size_t i = 0; i < size; ++i) to[i] = Sum(to[i] + from[i]);
    }
    STEREO_INTO_CLONES void take_out(int y) {
       const PixelCost* const __restrict from = row(y);
       Sum* const __restrict to = columns_.data();
-      for (std::size_t i = 0; i < row_size_; ++i) to[i] = Sum(to[i] - from[i]);
+      const std::size_t size = row_size_;
+      for (std::size_t i = 0; i < size; ++i) to[i] = Sum(to[i] - from[i]);
    }
    STEREO_INTO_CLONES void add(const Sum* __restrict from) {
       Sum* const __restrict to = window_.data();
-      for (int d = 0; d < lanes_; ++d) to[d] = Sum(to[d] + from[d]);
+      const int lanes = lanes_;
+      for (int d = 0; d < lanes; ++d) to[d] = Sum(to[d] + from[d]);
    }
    STEREO_INTO_CLONES void remove(const Sum* __restrict from) {
       Sum* const __restrict to = window_.data();
-      for (int d = 0; d < lanes_; ++d) to[d] = Sum(to[d] - from[d]);
+      const int lanes = lanes_;
+      for (int d = 0; d < lanes; ++d) to[d] = Sum(to[d] - from[d]);
    }
    /// The window's costs as a path sees them; gives the smallest.
    template <class Lane>
    STEREO_INTO_CLONES Lane scaled(Lane* __restrict costs) const {
       const Sum* const __restrict from = window_.data();
       const Sum cap = Sum(std::min<uint32_t>(uint32_t(matching_.cost_cap), std::numeric_limits<Sum>::max()));
-      const int shift = matching_.cost_shift;
-      for (int d = 0; d < lanes_; ++d) costs[d] = Lane(std::min(Sum(from[d] >> shift), cap));
+      const int shift = matching_.cost_shift, lanes = lanes_, disparities = matching_.disparities;
+      for (int d = 0; d < lanes; ++d) costs[d] = Lane(std::min(Sum(from[d] >> shift), cap));
       Lane smallest = std::numeric_limits<Lane>::max();
-      for (int d = 0; d < matching_.disparities; ++d) smallest = std::min(smallest, costs[d]);
+      for (int d = 0; d < disparities; ++d) smallest = std::min(smallest, costs[d]);
       return smallest;
    }
 

@@ -63,17 +63,20 @@ class Matcher {
    }
    STEREO_INTO_CLONES Lane smallest(int x) const { return smallest_[std::size_t(x)]; }
    STEREO_INTO_CLONES void add(Lane* __restrict to, const Lane* __restrict path, Lane excess) const {
-      for (int d = 0; d < lanes_; ++d) to[d] = Lane(to[d] + Lane(path[d] - excess));
+      const int lanes = lanes_;
+      for (int d = 0; d < lanes; ++d) to[d] = Lane(to[d] + Lane(path[d] - excess));
    }
 
    STEREO_INTO_CLONES void winners(int y) {
       other_.restart();
       for (int x = 0; x < map_.width; ++x) {
+         const int lanes = lanes_;
          Lane* const __restrict to = total_.data();
          const Lane* const __restrict from = sums(x);
-         for (int d = 0; d < lanes_; ++d) to[d] = from[d];
-         if (matching_.path_above) from_above_.add(x, costs(x), beyond_.data(), to);
-         for (int d = 0; d < lanes_; ++d) to[d] = Lane(to[d] | beyond_[std::size_t(d)]);
+         const Lane* const __restrict beyond = beyond_.data();
+         for (int d = 0; d < lanes; ++d) to[d] = from[d];
+         if (matching_.path_above) from_above_.add(x, costs(x), beyond, to);
+         for (int d = 0; d < lanes; ++d) to[d] = Lane(to[d] | beyond[d]);
          if (matching_.has_left_right_check()) fast::offer(other_, x, to, lanes_, matching_.ties);
          match_pixel(x, y);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paths, all disparities of a pixel side by side in memory. Numbers that can be negative have a bias, so that lanes
-// of 8 bits do where the penalties are small.
+// of 8 bits do where the penalties are small. Bytes may alias anything, so loops see no member of an object: the compiler
+// would read it again for each byte that is written, and not vectorise.
 #pragma once
 
 #include <algorithm>
@@ -48,6 +49,7 @@ class RowPathState {
    /// then, so the two take turns.
    STEREO_INTO_CLONES const Lane* next(const Lane* __restrict costs, Lane smallest, const Lane* __restrict beyond) {
       const Lane g = Lane(smallest + next_start());
+      const int lanes = lanes_;
       State &from = column_ % 2 == 0 ? first_ : second_, &to = column_ % 2 == 0 ? second_ : first_;
       const Lane* const __restrict k = from.cost();
       const Lane* const __restrict a = from.arrived();
@@ -56,14 +58,14 @@ class RowPathState {
       const Lane p1 = Lane(matching_.p1);
       Lane lowest = kMost;
       if (column_ == 0) {
-         for (int d = 0; d < lanes_; ++d) {
+         for (int d = 0; d < lanes; ++d) {
             const Lane change = Lane(costs[d] - g);
             next_k[d] = Lane(Lane(kBias + change) | beyond[d]);
             next_a[d] = Lane(Lane(kBias + p1) + change);
             lowest = std::min(lowest, next_k[d]);
          }
       } else {
-         for (int d = 0; d < lanes_; ++d) {
+         for (int d = 0; d < lanes; ++d) {
             const Lane change = Lane(costs[d] - g);
             const Lane stay = std::min(std::min(k[d], a[d]), kBias), step = std::min(k[d - 1], k[d + 1]);
             next_k[d] = Lane(Lane(stay + change) | beyond[d]);
@@ -128,15 +130,16 @@ class PathFromAbove {
                                Lane* __restrict sums) {
       Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes_;
       Lane* const __restrict bounded = bounded_.data() + kBeside;
+      const int lanes = lanes_;
       Lane smallest = kMost;
-      for (int d = 0; d < lanes_; ++d) smallest = std::min(smallest, Lane(Lane(state[d] + costs[d]) | beyond[d]));
+      for (int d = 0; d < lanes; ++d) smallest = std::min(smallest, Lane(Lane(state[d] + costs[d]) | beyond[d]));
       const Lane p1 = Lane(matching_.p1), p2 = Lane(matching_.p2);
-      for (int d = 0; d < lanes_; ++d) {
+      for (int d = 0; d < lanes; ++d) {
          const Lane path = Lane(Lane(Lane(state[d] + costs[d]) | beyond[d]) - smallest);
          sums[d] = Lane(sums[d] + path);
          bounded[d] = std::min(path, p2);
       }
-      for (int d = 0; d < lanes_; ++d)
+      for (int d = 0; d < lanes; ++d)
          state[d] = std::min(bounded[d], Lane(std::min(bounded[d - 1], bounded[d + 1]) + p1));
    }
 
