@@ -8,14 +8,21 @@
 
 namespace stereo::semi_global {
 
+/// The block matching whose window costs the paths see: what the blocks up to the windows are templates over. Its map
+/// has all cost columns: a path that leaves out a column would lose it for nothing.
+struct WindowConfig : block_matching::Config {
+   constexpr int first_map_column() const { return first_cost_column(); }
+   constexpr int output_width_px() const { return cost_columns(); }
+   constexpr int output_first_column() const { return first_map_column() - reference_delay(); }
+};
+
 /// How the core is built: the options are those of its window costs and of its winner tree.
 using Structure = block_matching::Structure;
 
 /// One hardware configuration of the semi-global core. Every block is a template over one; the named ones are in
 /// configurations.hpp.
 struct Config : Image, Matching, Structure {
-   /// The block matching whose window costs the paths see: what the blocks up to the windows are templates over.
-   constexpr block_matching::Config windows() const { return {Image(*this), window_costs(), Structure(*this)}; }
+   constexpr WindowConfig windows() const { return {{Image(*this), window_costs(), Structure(*this)}}; }
 
    constexpr int output_width_px() const { return windows().output_width_px(); }
    constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
@@ -82,7 +89,7 @@ template <const auto& C>
 inline constexpr auto kWindowConfig = C.windows();
 
 /// What the blocks behind the sums are templates over: sums stand in for window costs.
-struct SumConfig : block_matching::Config {
+struct SumConfig : WindowConfig {
    int largest_sum;
    int uniqueness_distance;
 
@@ -94,7 +101,7 @@ struct SumConfig : block_matching::Config {
 /// changes places for what looks along the row.
 template <const auto& C>
 inline constexpr SumConfig kSumConfig = [] {
-   block_matching::Config config = C.windows();
+   WindowConfig config = C.windows();
    if (C.path_right) config.reference = C.reference == Reference::right ? Reference::left : Reference::right;
    return SumConfig{config, C.largest_sum(), C.uniqueness_distance};
 }();

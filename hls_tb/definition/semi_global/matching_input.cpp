@@ -28,11 +28,13 @@ int largest_path_cost(const Matching& matching) {
 }
 
 int map_width(int width_px, const Matching& matching) {
-   return block_matching::map_width(width_px, matching.window_costs());
+   return block_matching::cost_columns(width_px, matching.window_costs());
 }
 
 MapGeometry map_geometry(const Matching& matching, int image_width) {
    MapGeometry geometry = block_matching::map_geometry(matching.window_costs(), image_width);
+   geometry.width = map_width(image_width, matching);
+   if (matching.reference == Reference::left) --geometry.first_column;  // the one that block matching leaves out
    geometry.has_check = matching.has_check();
    return geometry;
 }

@@ -19,7 +19,7 @@ Matching mirrored(Matching matching);
 /// Largest cost that a path can see.
 int largest_path_cost(const Matching& matching);
 
-/// Width of the disparity map.
+/// Width of the disparity map: that of the cost columns.
 int map_width(int width_px, const Matching& matching);
 MapGeometry map_geometry(const Matching& matching, int image_width);
 

@@ -75,7 +75,7 @@ std::vector<int> column_of(const CostVolume& volume, int x, int y) {
 
 CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
    const CostVolume pixels = block_matching::pixel_costs(left, right, matching.window_costs());
-   CostVolume costs = window_sums(pixels, matching.window_px);
+   CostVolume costs = all_window_sums(pixels, matching.window_px);
    for (int& value : costs.values) value = std::min(value >> matching.cost_shift, matching.cost_cap);
    return costs;
 }

@@ -9,7 +9,7 @@
 
 namespace stereo::semi_global {
 
-/// c(x,y,d), for the columns of the map.
+/// c(x,y,d), for the columns of the map: all cost columns.
 CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching);
 
 enum class RowDirection { from_left, from_right };

@@ -36,7 +36,7 @@ Matching random_options(Random& random, int width) {
    Matching m{.disparities = 2 + random.below(random.percent(20) ? width - 2 : std::min(width - 2, 24))};
    m.window_px = random.percent(60) ? 1 + random.below(4) : 1 + random.below(30);
    if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
-   while (map_width(width, m) < 1) m.min_disparity /= 2;
+   while (map_width(width, m) < 2) m.min_disparity /= 2;
    m.reference = random.percent(50) ? Reference::left : Reference::right;
    m.cost = random.percent(50) ? Cost::census : random.percent(80) ? Cost::sad : Cost::ssd;
    m.census_width_px = 3 + 2 * random.below(4);

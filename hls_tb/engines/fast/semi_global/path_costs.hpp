@@ -95,7 +95,7 @@ class WindowCosts {
          columns_(row_size_),
          window_(std::size_t(lanes)) {}
 
-   /// The costs that the paths see in the next row, of the map's columns, and the smallest of each column. Rows come
+   /// The costs that the paths see in the next row, and the smallest of each column. Rows come
    /// from the top.
    template <class Lane>
    STEREO_INTO_CLONES void next_row(Lane* costs, Lane* smallest) {
@@ -106,7 +106,7 @@ class WindowCosts {
       ++row_;
       std::fill(window_.begin(), window_.end(), Sum(0));
       for (int x = 0; x < after_; ++x) add(column(x));
-      for (int x = 0; x + 1 < pixels_.columns; ++x) {
+      for (int x = 0; x < pixels_.columns; ++x) {
          if (x + after_ < pixels_.columns) add(column(x + after_));
          if (x - before_ > 0) remove(column(x - before_ - 1));
          smallest[x] = scaled(costs + std::ptrdiff_t(x) * lanes_);
