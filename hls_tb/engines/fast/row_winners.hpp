@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,16 +33,34 @@ struct OtherWinners {
    void restart() { std::fill(best.begin(), best.end(), Sum(std::numeric_limits<Sum>::max() - 1)); }
 };
 
+/// 0, 1, 2 ...: disparities as wide as sums, since one vector then holds as many of both.
+template <class Sum>
+inline constexpr auto kPlaces = [] {
+   std::array<Sum, 256> places{};
+   for (std::size_t d = 0; d < places.size(); ++d) places[d] = Sum(d);
+   return places;
+}();
+
+/// Of up to 256 disparities.
 template <class Sum>
 STEREO_INTO_CLONES PixelResult<Sum> find_winner(const Sum* sums, int lanes, Ties ties) {
    constexpr Sum kMost = std::numeric_limits<Sum>::max();
+   const Sum* const places = kPlaces<Sum>.data();
    Sum smallest = kMost;
    for (int d = 0; d < lanes; ++d) smallest = std::min(smallest, sums[d]);
+   // Masks and named numbers: the compiler makes branches of choices, and of the values of calls.
    Sum first = kMost, last = 0;
-   if (ties == Ties::smallest)
-      for (int d = 0; d < lanes; ++d) first = std::min(first, sums[d] == smallest ? Sum(d) : kMost);
-   else
-      for (int d = 0; d < lanes; ++d) last = std::max(last, sums[d] == smallest ? Sum(d) : Sum(0));
+   if (ties == Ties::smallest) {
+      for (int d = 0; d < lanes; ++d) {
+         const Sum loses = Sum(-int(sums[d] != smallest)), place = Sum(places[d] | loses);
+         first = std::min(first, place);
+      }
+   } else {
+      for (int d = 0; d < lanes; ++d) {
+         const Sum wins = Sum(-int(sums[d] == smallest)), place = Sum(places[d] & wins);
+         last = std::max(last, place);
+      }
+   }
    return {smallest, int(ties == Ties::smallest ? first : last)};
 }
 
@@ -75,9 +94,10 @@ STEREO_INTO_CLONES void offer(OtherWinners<Sum>& other, int x, const Sum* __rest
    Sum* const __restrict best = other.best.data() + x;
    Sum* const __restrict disparity = other.disparity.data() + x;
    const Sum smaller_wins = ties == Ties::smallest ? 1 : 0;  // among equal sums
+   const Sum* const places = kPlaces<Sum>.data();
    for (int d = 0; d < lanes; ++d) {
       const bool better = sums[d] < Sum(best[d] + smaller_wins);
-      disparity[d] = better ? Sum(d) : disparity[d];
+      disparity[d] = better ? places[d] : disparity[d];
       best[d] = better ? sums[d] : best[d];
    }
 }

@@ -77,8 +77,9 @@ STEREO_INTO_CLONES void difference_row(const PixelRows& pixels, int y, int lanes
    }
 }
 
-/// Window costs of row after row. PixelCost, Sum: types that hold the cost of a pixel and of a window.
-template <class PixelCost, class Sum>
+/// Window costs of row after row. PixelCost, Sum: types that hold the cost of a pixel and of a window. Fixed: the
+/// number of lanes, or 0 where it is known only at run time.
+template <class PixelCost, class Sum, int Fixed>
 class WindowCosts {
   public:
    STEREO_INTO_CLONES WindowCosts(const PixelRows& pixels, const Matching& matching, int lanes)
@@ -121,7 +122,7 @@ class WindowCosts {
       if (y >= pixels_.height) return;
       PixelCost* const __restrict from = row(y);
       if constexpr (sizeof(PixelCost) == 1) {
-         if (matching_.cost == Cost::census) census_row(pixels_, y, lanes_, from);
+         if (matching_.cost == Cost::census) census_row(pixels_, y, Fixed > 0 ? Fixed : lanes_, from);
          else difference_row(pixels_, y, lanes_, false, from);
       } else {
          difference_row(pixels_, y, lanes_, true, from);
@@ -138,12 +139,12 @@ class WindowCosts {
    }
    STEREO_INTO_CLONES void add(const Sum* __restrict from) {
       Sum* const __restrict to = window_.data();
-      const int lanes = lanes_;
+      const int lanes = Fixed > 0 ? Fixed : lanes_;
       for (int d = 0; d < lanes; ++d) to[d] = Sum(to[d] + from[d]);
    }
    STEREO_INTO_CLONES void remove(const Sum* __restrict from) {
       Sum* const __restrict to = window_.data();
-      const int lanes = lanes_;
+      const int lanes = Fixed > 0 ? Fixed : lanes_;
       for (int d = 0; d < lanes; ++d) to[d] = Sum(to[d] - from[d]);
    }
    /// The window's costs as a path sees them; gives the smallest.
@@ -151,7 +152,7 @@ class WindowCosts {
    STEREO_INTO_CLONES Lane scaled(Lane* __restrict costs) const {
       const Sum* const __restrict from = window_.data();
       const Sum cap = Sum(std::min<uint32_t>(uint32_t(matching_.cost_cap), std::numeric_limits<Sum>::max()));
-      const int shift = matching_.cost_shift, lanes = lanes_, disparities = matching_.disparities;
+      const int shift = matching_.cost_shift, lanes = Fixed > 0 ? Fixed : lanes_, disparities = matching_.disparities;
       for (int d = 0; d < lanes; ++d) costs[d] = Lane(std::min(Sum(from[d] >> shift), cap));
       Lane smallest = std::numeric_limits<Lane>::max();
       for (int d = 0; d < disparities; ++d) smallest = std::min(smallest, costs[d]);

@@ -14,7 +14,7 @@ namespace {
 /// Loops run over whole vectors of this many disparities.
 constexpr int kVector = 32;
 
-template <class PixelCost, class Sum, class Lane>
+template <class PixelCost, class Sum, class Lane, int Fixed = 0>
 class Matcher {
   public:
    STEREO_INTO_CLONES Matcher(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map)
@@ -50,7 +50,7 @@ class Matcher {
    /// Both paths in one loop: neither waits for the other. Each column first gets what comes to it first.
    STEREO_INTO_CLONES void row_paths() {
       // K + bias less this is K of the path against its least number, so that the sum of the paths fits a lane.
-      const Lane excess = Lane(RowPathState<Lane>::kBias - Lane(PathBounds(matching_).lowest_path));
+      const Lane excess = Lane(RowPathState<Lane, Fixed>::kBias - Lane(PathBounds(matching_).lowest_path));
       const int last = map_.width - 1;
       std::fill(sums_.begin(), sums_.end(), Lane(0));
       from_left_.start_row();
@@ -63,21 +63,21 @@ class Matcher {
    }
    STEREO_INTO_CLONES Lane smallest(int x) const { return smallest_[std::size_t(x)]; }
    STEREO_INTO_CLONES void add(Lane* __restrict to, const Lane* __restrict path, Lane excess) const {
-      const int lanes = lanes_;
+      const int lanes = Fixed > 0 ? Fixed : lanes_;
       for (int d = 0; d < lanes; ++d) to[d] = Lane(to[d] + Lane(path[d] - excess));
    }
 
    STEREO_INTO_CLONES void winners(int y) {
       other_.restart();
       for (int x = 0; x < map_.width; ++x) {
-         const int lanes = lanes_;
+         const int lanes = Fixed > 0 ? Fixed : lanes_;
          Lane* const __restrict to = total_.data();
          const Lane* const __restrict from = sums(x);
          const Lane* const __restrict beyond = beyond_.data();
          for (int d = 0; d < lanes; ++d) to[d] = from[d];
          if (matching_.path_above) from_above_.add(x, costs(x), beyond, to);
          for (int d = 0; d < lanes; ++d) to[d] = Lane(to[d] | beyond[d]);
-         if (matching_.has_left_right_check()) fast::offer(other_, x, to, lanes_, matching_.ties);
+         if (matching_.has_left_right_check()) fast::offer(other_, x, to, lanes, matching_.ties);
          match_pixel(x, y);
       }
       if (matching_.has_left_right_check()) check_left_right(y);
@@ -86,7 +86,7 @@ class Matcher {
    STEREO_INTO_CLONES void match_pixel(int x, int y) {
       const Lane* const sums = total_.data();
       const int disparities = matching_.disparities;
-      const fast::PixelResult<Lane> pixel = fast::find_winner(sums, lanes_, matching_.ties);
+      const fast::PixelResult<Lane> pixel = fast::find_winner(sums, Fixed > 0 ? Fixed : lanes_, matching_.ties);
       winners_[std::size_t(x)] = pixel.winner;
       map_.at(x, y) = matching_.subpixel ? fast::refined(sums, disparities, pixel) : uint16_t(pixel.winner);
       if (!matching_.has_uniqueness_check()) return;
@@ -104,17 +104,24 @@ class Matcher {
    const Matching& matching_;
    int lanes_;
    DisparityMap& map_;
-   WindowCosts<PixelCost, Sum> window_costs_;
+   WindowCosts<PixelCost, Sum, Fixed> window_costs_;
    std::vector<Lane> costs_, sums_;  ///< [x][d]: of one row
    std::vector<Lane> smallest_;      ///< [x]: of the costs
    std::vector<Lane> beyond_;        ///< [d]: all bits set behind the last disparity
    std::vector<Lane> total_;         ///< [d]: S
-   RowPathState<Lane> from_left_, from_right_;
-   PathFromAbove<Lane> from_above_;
+   RowPathState<Lane, Fixed> from_left_, from_right_;
+   PathFromAbove<Lane, Fixed> from_above_;
    std::vector<int> winners_;  ///< [x]: of this row
    fast::OtherWinners<Lane> other_;
 };
 
+/// Sizes that many cores have: the compiler unrolls loops over a fixed number of lanes.
+STEREO_VECTOR_CLONES void match_8_8_64(const PixelRows& pixels, const Matching& matching, DisparityMap& map) {
+   Matcher<uint8_t, uint8_t, uint8_t, 64>(pixels, matching, 64, map).match();
+}
+STEREO_VECTOR_CLONES void match_8_8_128(const PixelRows& pixels, const Matching& matching, DisparityMap& map) {
+   Matcher<uint8_t, uint8_t, uint8_t, 128>(pixels, matching, 128, map).match();
+}
 // Window costs of 8, 16 and 32 bits, and paths of 8 and 16.
 STEREO_VECTOR_CLONES void match_8_8(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map) {
    Matcher<uint8_t, uint8_t, uint8_t>(pixels, matching, lanes, map).match();
@@ -143,6 +150,8 @@ DisparityMap match_paths(const GrayImage& left, const GrayImage& right, const Ma
    const int64_t window_cost = side_x * side_y * block_matching::largest_pixel_cost(matching.window_costs());
    const bool narrow_paths = PathBounds(matching).fit(8);
    if (matching.cost == Cost::ssd) match_ssd(pixels, matching, lanes, map);
+   else if (window_cost < 1 << 8 && narrow_paths && lanes == 64) match_8_8_64(pixels, matching, map);
+   else if (window_cost < 1 << 8 && narrow_paths && lanes == 128) match_8_8_128(pixels, matching, map);
    else if (window_cost < 1 << 8 && narrow_paths) match_8_8(pixels, matching, lanes, map);
    else if (window_cost < 1 << 16 && narrow_paths) match_16_8(pixels, matching, lanes, map);
    else if (window_cost < 1 << 16) match_16_16(pixels, matching, lanes, map);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paths, all disparities of a pixel side by side in memory. Numbers that can be negative have a bias, so that lanes
-// of 8 bits do where the penalties are small. Bytes may alias anything, so loops see no member of an object: the compiler
-// would read it again for each byte that is written, and not vectorise.
+// of 8 bits do where the penalties are small. Bytes may alias anything, so loops see no member of an object: the
+// compiler would read it again for each byte that is written, and not vectorise.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,9 @@ struct PathBounds {
    }
 };
 
-/// The state of a row path behind one column, for all disparities.
-template <class Lane>
+/// The state of a row path behind one column, for all disparities. Fixed: the number of lanes, or 0 where it is known
+/// only at run time.
+template <class Lane, int Fixed>
 class RowPathState {
   public:
    static constexpr Lane kBias = Lane(Lane(1) << (8 * sizeof(Lane) - 1)), kMost = std::numeric_limits<Lane>::max();
@@ -49,7 +50,7 @@ class RowPathState {
    /// then, so the two take turns.
    STEREO_INTO_CLONES const Lane* next(const Lane* __restrict costs, Lane smallest, const Lane* __restrict beyond) {
       const Lane g = Lane(smallest + next_start());
-      const int lanes = lanes_;
+      const int lanes = Fixed > 0 ? Fixed : lanes_;
       State &from = column_ % 2 == 0 ? first_ : second_, &to = column_ % 2 == 0 ? second_ : first_;
       const Lane* const __restrict k = from.cost();
       const Lane* const __restrict a = from.arrived();
@@ -114,7 +115,7 @@ class RowPathState {
 };
 
 /// The path from above: T of each column of the map, moved down a row at a time.
-template <class Lane>
+template <class Lane, int Fixed>
 class PathFromAbove {
   public:
    static constexpr Lane kMost = std::numeric_limits<Lane>::max();
@@ -130,7 +131,7 @@ class PathFromAbove {
                                Lane* __restrict sums) {
       Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes_;
       Lane* const __restrict bounded = bounded_.data() + kBeside;
-      const int lanes = lanes_;
+      const int lanes = Fixed > 0 ? Fixed : lanes_;
       Lane smallest = kMost;
       for (int d = 0; d < lanes; ++d) smallest = std::min(smallest, Lane(Lane(state[d] + costs[d]) | beyond[d]));
       const Lane p1 = Lane(matching_.p1), p2 = Lane(matching_.p2);
