@@ -36,7 +36,7 @@ def main() -> int:
         "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
     )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
-    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")
+    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
     parser.add_argument("--out", type=Path, help="where reports go (default build/cosim/CONFIG-SIMULATOR)")
     parser.add_argument(
         "--wave",

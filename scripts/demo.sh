@@ -7,6 +7,7 @@
 #   --config         configuration (default ambrosch2007)
 #   --seed           of the scene and of filler pixels (default 1)
 #   --out            folder for the results (default build/demo)
+# With STEREO_HLS in the environment, that program is taken as it is, and nothing is built.
 # Exit codes: 0 done, 2 bad options or input, else that of the step that failed.
 set -euo pipefail
 program=${0##*/}
@@ -26,7 +27,7 @@ while [ $# -gt 0 ]; do
          shift 2
          ;;
       --help | -h)
-         sed -n '3,10s/^# //p' "${BASH_SOURCE[0]}"
+         sed -n '3,11s/^# //p' "${BASH_SOURCE[0]}"
          exit 0
          ;;
       *) refuse "unknown option '$1' (see $program --help)" ;;
@@ -46,7 +47,6 @@ cd "$root"
 mkdir -p -- "$out" 2>/dev/null || refuse "--out $out: the folder cannot be created"
 rm -f -- "$out/report.html"
 export STEREO_PRESET=${STEREO_PRESET:-release}
-export STEREO_HLS=${STEREO_HLS:-build/$STEREO_PRESET/stereo_hls}
 
 # The failing step has said why on stderr; its exit code is ours.
 step() {
@@ -60,7 +60,12 @@ step() {
    }
 }
 
-step "Tools and native program" ./scripts/setup.sh
+if [ -n "${STEREO_HLS:-}" ]; then
+   step "Tools" ./scripts/setup.sh --packages-only
+else
+   step "Tools, native program, core" ./scripts/setup.sh --core "$config"
+   export STEREO_HLS=build/$STEREO_PRESET/stereo_hls
+fi
 truth=() fit=()
 if [ -z "$left" ]; then
    scene=$out/scene left=$out/scene/left.png right=$out/scene/right.png

@@ -17,7 +17,7 @@ def main() -> int:
     parser = ArgumentParser(prog="dev_loop.py", description=__doc__)
     parser.add_argument("--config", default="tiny", metavar="NAME", help="configuration to simulate (default tiny)")
     parser.add_argument(
-        "--header", default="window_sum.hpp", help="file of hls/ that is touched (default window_sum.hpp)"
+        "--header", default="cost/window_sum.hpp", help="file of hls/ that is touched (default cost/window_sum.hpp)"
     )
     parser.add_argument("--rows", type=int, default=8, metavar="N", help="rows of the crop in GHDL (default 8)")
     options = parser.parse_args()
@@ -26,7 +26,7 @@ def main() -> int:
     loop = DevLoop(options.config, options.header, options.rows)
     console = Console(highlight=False, soft_wrap=True)
     timings = []
-    table = Table("step", "seconds", "", title=f"Developer's loop, {options.config}")
+    table = Table("step", "seconds", "of processors", "", title=f"Developer's loop, {options.config}")
     with console.status("") as status:
         status.update("bringing the build up to date")
         loop.prepare()
@@ -35,9 +35,10 @@ def main() -> int:
             timing = loop.measure(name, step)
             timings.append(timing)
             seconds = "SKIP" if timing.skipped else f"{timing.seconds:.1f}"
+            used = "" if timing.skipped else f"{timing.processor_seconds:.1f}"
             note = timing.skipped or (f"FAILED: {timing.failed}" if timing.failed else timing.note)
             console.print(f"{name}: {seconds}{f': {note}' if timing.skipped or timing.failed else ' s'}")
-            table.add_row(name, seconds, note)
+            table.add_row(name, seconds, used, note)
     console.print(table)
     failures = [timing.step for timing in timings if timing.failed]
     if failures:

@@ -110,7 +110,7 @@ def given_pairs(options: Namespace) -> list[explore.Pair]:
 def main() -> int:
     options = parse()
     check(options)
-    family = hardware_cost.Family()
+    family = hardware_cost.Study()
     sweep = explore.Sweep(
         sorted(set(options.window)),
         list(dict.fromkeys(options.cost)),
@@ -133,7 +133,7 @@ def main() -> int:
     return EXIT_OK
 
 
-def notes_on(family: hardware_cost.Family, table: list[explore.Row]) -> list[str]:
+def notes_on(family: hardware_cost.Study, table: list[explore.Row]) -> list[str]:
     """Where the look-up tables come from."""
     size = f"{family.base.parameters['width_px']}x{family.base.parameters['height_px']}"
     notes = [
@@ -151,7 +151,7 @@ def notes_on(family: hardware_cost.Family, table: list[explore.Row]) -> list[str
 
 
 def show(
-    options: Namespace, family: hardware_cost.Family, pairs: list[explore.Pair], table: list[explore.Row], key: str
+    options: Namespace, family: hardware_cost.Study, pairs: list[explore.Pair], table: list[explore.Row], key: str
 ) -> None:
     explore.mark_front(table, key)
     measure = options.measure.replace("d1", "D1").replace("bad_0_5", "bad 0.5").replace("_", " ")

@@ -9,10 +9,10 @@ from collections.abc import Collection
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from flow.base import rtl
 from flow.base.errors import ArgumentParser, FlowError, run_command
-from flow.base.tools import GENERATED_RTL, find_ghdl, find_yosys
+from flow.base.tools import find_ghdl, find_yosys
 from flow.implementation import job, yosys
-from flow.synthesis.manifest import has_vhdl, known_configurations
 
 DEFAULT_SEEDS = [1, 2, 3]
 
@@ -35,13 +35,11 @@ def jobs(options: Namespace) -> list[job.Job]:
             raise FlowError("--rtl takes the VHDL of one --config")
         names = options.config
     else:
-        names = chosen(options.config, known_configurations(), "configuration")
-        if "all" in options.config:
-            names = list(filter(has_vhdl, names))
+        names = chosen(options.config, rtl.known_configurations(), "configuration")
     made = []
     for name in names:
-        rtl = options.rtl or GENERATED_RTL / name
-        made.append(job.Job(name, rtl, options.out / name if options.out else rtl, targets, seeds))
+        vhdl = options.rtl or rtl.folder(name)
+        made.append(job.Job(name, vhdl, options.out / name if options.out else vhdl, targets, seeds))
     return made
 
 
@@ -52,7 +50,7 @@ def main() -> int:
         action="append",
         required=True,
         metavar="NAME",
-        help="configuration, may be repeated; 'all' for each whose VHDL is in generated_rtl",
+        help="configuration, may be repeated; 'all' for each in generated_rtl",
     )
     parser.add_argument(
         "--target",
@@ -63,7 +61,7 @@ def main() -> int:
     parser.add_argument(
         "--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)"
     )
-    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/CONFIG)")
+    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
     parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     work = jobs(parser.parse_args())
     find_ghdl()

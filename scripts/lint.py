@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
 from flow.base.tools import ROOT
-from flow.shell import design, lint
+from flow.shell import lint
 
 
 def main() -> int:
@@ -17,7 +17,7 @@ def main() -> int:
     parser.add_argument("--config", default="tiny", help="configuration whose core stands in the shell (default tiny)")
     parser.add_argument("--rtl", type=Path, help="folder with the shell's VHDL (default hls/rtl)")
     options = parser.parse_args()
-    found = lint.check(options.config, design.generics(options.config), ROOT / "build" / "lint", options.rtl)
+    found = lint.check(options.config, ROOT / "build" / "lint", options.rtl)
     print(f"{found} findings")
     return EXIT_MISMATCH if found else EXIT_OK
 

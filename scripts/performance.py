@@ -6,11 +6,10 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import files
+from flow.base import files, rtl
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.implementation.results import Configuration
 from flow.pages import performance
-from flow.synthesis.manifest import known_configurations
 
 
 def main() -> int:
@@ -25,8 +24,8 @@ def main() -> int:
 
 
 def show(name: str) -> int:
-    if name not in known_configurations():
-        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(known_configurations())}")
+    if name not in rtl.known_configurations():
+        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(rtl.known_configurations())}")
     configuration = Configuration(name)
     for make in (performance.per_clock_table, performance.speed_table, performance.area_table):
         print(make([configuration]), end="\n\n")

@@ -1,30 +1,42 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws configurations at random from the whole space of options, builds their clocked cores and compares these with the
-definition: frames back to back, bubbles, resets, broken frames."""
+"""Draws configurations at random from the whole space of options, builds their clocked cores and compares these with
+the definition: frames back to back, bubbles, resets, broken frames."""
 
 import os
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow import random_cores  # noqa: E402
-from flow.errors import ArgumentParser, FlowError, run_command  # noqa: E402
+from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.cosim import random_cores
 
 
 def main() -> int:
     parser = ArgumentParser(prog="random_configurations.py", description=__doc__)
     parser.add_argument("--family", default="block_matching", help="algorithm family (default block_matching)")
     parser.add_argument("--count", type=int, default=20, help="how many configurations (default 20)")
-    parser.add_argument("--seed", type=int, help="of the configurations and of their images; printed (default: another one each time)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="cores built at a time (default: one for each processor)")
+    parser.add_argument(
+        "--seed", type=int, help="of the configurations and of their images; printed (default: another one each time)"
+    )
+    parser.add_argument(
+        "--jobs", type=int, default=os.cpu_count() or 1, help="cores built at a time (default: one for each processor)"
+    )
+    parser.add_argument(
+        "--row", action="append", metavar="ROW", help="instead of random ones, a row as in configurations.hpp"
+    )
     options = parser.parse_args()
     if options.count < 1 or options.jobs < 1:
         raise FlowError("--count and --jobs must be at least 1")
     if options.seed is not None and not 0 <= options.seed < 1 << 64:
         raise FlowError("--seed must be 0 ... 2^64 - 1")
     seed = random_cores.new_seed() if options.seed is None else options.seed
-    return random_cores.run_family(options.family, options.count, seed, options.jobs)
+    random_cores.source_folder(options.family)  # an unknown family is refused first
+    if options.row:
+        cores = [random_cores.core_of(row) for row in options.row]
+    else:
+        cores = random_cores.draw(options.family, options.count, seed)
+    return random_cores.run_family(options.family, cores, seed, options.jobs)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages that are missing, then builds the native program. Does nothing that is done already.
-#   scripts/setup.sh [--packages-only]
+# Installs the Debian packages that are missing, then builds the native program and its tests. Does nothing that is done
+# already.
+#   scripts/setup.sh [--packages-only | --core CONFIG]
+#   --core  builds only the program and the clocked core of one configuration
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,8 +18,9 @@ packages=(
 
 case "${1:-}" in
    "" | --packages-only) ;;
+   --core) [ -n "${2:-}" ] || { echo "setup.sh: --core needs a value (see setup.sh --help)" >&2; exit 2; } ;;
    --help | -h)
-      sed -n '3,4s/^# //p' "$0"
+      sed -n '3,6s/^# //p' "$0"
       exit 0
       ;;
    *)
@@ -52,5 +55,16 @@ fi
 
 [ "${1:-}" = --packages-only ] && exit 0
 preset=${STEREO_PRESET:-release}
-cmake --preset "$preset" -Wno-dev
-cmake --build --preset "$preset"
+if [ "${1:-}" = --core ]; then
+   program=build/$preset/stereo_hls
+   [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" -Wno-dev
+   cmake --build --preset "$preset" --target stereo_hls
+   "$program" configurations | grep -q "^$2:" || {
+      echo "setup.sh: unknown configuration '$2' (see $program configurations)" >&2
+      exit 2
+   }
+   cmake --build --preset "$preset" --target "core_$2"
+else
+   cmake --preset "$preset" -Wno-dev
+   cmake --build --preset "$preset"
+fi

@@ -10,6 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.configurations import Configuration, configuration, configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.tools import find_bambu
+from flow.shell import template
 from flow.synthesis.generate import generate
 from flow.synthesis.manifest import stale_reasons
 
@@ -48,6 +49,8 @@ def main() -> int:
     find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]
+        if options.out is None:
+            template.write(name)
         print(
             f"{name}: {report['states']} states ({report['loop_states']} in the loop), "
             f"{report['registers']} registers ({report['registers_named']} named as in C++), "

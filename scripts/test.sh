@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Sets everything up and runs the tests.
+# Sets everything up and runs the tests, as many at a time as there are processors.
 #   scripts/test.sh [OPTION...]
 #   OPTION  of ctest: -L unit, -L cosim, -L synth, -L slow, -R NAME ... Without: all but the tests labelled `slow`
 set -euo pipefail
@@ -14,4 +14,4 @@ cd "$(dirname "$0")/.."
 export STEREO_PRESET=${STEREO_PRESET:-release}
 ./scripts/setup.sh
 [ $# -gt 0 ] || set -- -LE slow
-ctest --test-dir "build/$STEREO_PRESET" --output-on-failure --no-tests=error "$@"
+ctest --test-dir "build/$STEREO_PRESET" --output-on-failure --no-tests=error -j "$(nproc)" "$@"

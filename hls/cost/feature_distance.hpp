@@ -34,8 +34,6 @@ struct FeatureDistance<C, Cost::census> {
    struct First {
       uint8_t count[kGroups];
 
-      HLS_INLINE First() { start(*this); }
-
       template <class Visitor>
       HLS_INLINE void registers(Visitor& visit) {
          visit("count", count);

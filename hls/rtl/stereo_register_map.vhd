@@ -25,7 +25,6 @@ package stereo_register_map is
   constant size_height_px_bits : positive := 16;
   constant matching_word : natural := 5;
   constant matching_disparities_bits : positive := 16;
-  constant matching_window_px_bits : positive := 8;
   constant matching_pixels_per_clock_bits : positive := 8;
   constant map_word : natural := 6;
   constant map_output_width_px_bits : positive := 16;
@@ -33,4 +32,5 @@ package stereo_register_map is
   constant frames_word : natural := 7;
   constant broken_frames_word : natural := 8;
   constant frame_clocks_word : natural := 9;
+  constant core_word : natural := 10;
 end package;

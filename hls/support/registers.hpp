@@ -17,7 +17,9 @@
 
 namespace stereo {
 
-/// The visitor that gives registers their first value. Records and inner blocks start by themselves.
+/// The visitor that gives registers their first value. Records with a constructor and inner blocks start by themselves.
+/// A record that stands in arrays must have none: clang would call it in a loop of its own, which stays a loop where the
+/// array is large.
 struct StartingValues {
    template <class T>
    HLS_INLINE void operator()(const char*, T& value) {
@@ -38,6 +40,9 @@ struct StartingValues {
          for (int i = 0; i < int(std::extent_v<T>); ++i) set(value[i], first);
       } else if constexpr (!std::is_class_v<T>) {
          value = T(first);
+      } else if constexpr (std::is_trivially_default_constructible_v<T>) {
+         StartingValues values;
+         value.registers(values);
       }
    }
 };

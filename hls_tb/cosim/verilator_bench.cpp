@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "Vstereo_core.h"
+#include "Vdesign.h"
 #include "verilated.h"
 #if VM_TRACE
 #include "verilated_fst_c.h"
@@ -19,7 +19,7 @@ constexpr long kProgressClocks = 1000;
 /// Dumps the model's signals while the clock count is in the window.
 class Wave {
   public:
-   Wave(Vstereo_core& model, int argc, char** argv) {
+   Wave(Vdesign& model, int argc, char** argv) {
       if (argc < 6) return;
 #if VM_TRACE
       first_clock_ = std::atol(argv[4]);
@@ -59,7 +59,7 @@ void drive(Port& port, unsigned value) {
    port = static_cast<Port>(value);
 }
 
-void clock_edge(Vstereo_core& model, Wave& wave, long clock) {
+void clock_edge(Vdesign& model, Wave& wave, long clock) {
    model.clock = 0;
    model.eval();
    wave.dump(clock, 0);
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
       return 2;
    }
    if (argc == 6) Verilated::traceEverOn(true);
-   Vstereo_core model;
+   Vdesign model;
    Wave wave(model, argc, argv);
 
    model.reset = 1;

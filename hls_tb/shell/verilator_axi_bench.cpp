@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "Vstereo_ip.h"
+#include "Vdesign.h"
 #include "verilated.h"
 
 namespace {
@@ -20,7 +20,7 @@ constexpr long kProgressClocks = 20000;
 
 /// A beat of m_axis in words of 32 bits, the lowest first.
 using Beat = std::array<uint32_t, 3>;
-static_assert(sizeof(Vstereo_ip::m_axis_tdata) <= sizeof(Beat), "this bench takes beats of at most 96 bits");
+static_assert(sizeof(Vdesign::m_axis_tdata) <= sizeof(Beat), "this bench takes beats of at most 96 bits");
 
 /// Verilator keeps ports of up to 64 bits as integers, wider ones as arrays.
 template <class Port>
@@ -120,7 +120,7 @@ class Bench {
       was_reset_ = !model_.aresetn;
    }
 
-   Vstereo_ip model_;
+   Vdesign model_;
    std::FILE* observed_;
    std::mt19937 random_;
    int source_percent_ = 0, sink_percent_ = 0;

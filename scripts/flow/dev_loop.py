@@ -3,13 +3,16 @@
 
 import json
 import os
+import resource
 import shutil
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
+from .base import rtl
 from .base.errors import FlowError
-from .base.tools import GENERATED_RTL, ROOT, Word, find_bambu, find_ghdl, find_verilator, run
+from .base.tools import ROOT, Word, find_bambu, find_ghdl, find_verilator, run
 from .synthesis import bambu
 
 SCRIPTS = ROOT / "scripts"
@@ -24,6 +27,7 @@ Step = Callable[[], str]  # gives a note
 class Timing:
     step: str
     seconds: float = 0.0
+    processor_seconds: float = 0.0
     note: str = ""
     skipped: str = ""  # why, when it did not run
     failed: str = ""  # how, when it did not succeed
@@ -33,18 +37,18 @@ class DevLoop:
     def __init__(self, config: str, header: str, crop_rows: int) -> None:
         self.config, self.crop_rows = config, crop_rows
         self.header = ROOT / "hls" / header
-        self.build = WORK / "native"  # of this configuration only, as its developer would build it
+        self.block = Path(header).with_suffix("").as_posix().replace("/", "_")  # as its test is called
+        self.build = WORK / "native"
         if not self.header.is_file():
             raise FlowError(f"there is no hls/{header}")
-        if not (GENERATED_RTL / config / "manifest.json").is_file():
-            raise FlowError(f"unknown configuration '{config}': generated_rtl/{config} has no manifest.json")
+        rtl.folder(config)
         os.environ["STEREO_HLS"] = str(self.build / "stereo_hls")  # for the commands called below
 
     def steps(self) -> list[tuple[str, Step]]:
         """With their names, in the order of a developer's day."""
         return [
-            (f"native build after a change of hls/{self.header.name}", self.native_build),
-            ("native tests (ctest -L unit)", self.unit_tests),
+            (f"hls/{self.header.relative_to(ROOT / 'hls')} changed: its unit test", self.unit_test),
+            ("the clocked core of a pair", self.clocked_core),
             ("Bambu, lowering, VHDL", self.synthesis),
             (f"VHDL in GHDL, {self.crop_rows} rows", lambda: self.cosim("ghdl", self.crop_rows)),
             ("VHDL in GHDL, whole frame", lambda: self.cosim("ghdl")),
@@ -53,35 +57,55 @@ class DevLoop:
         ]
 
     def measure(self, name: str, step: Step) -> Timing:
-        started = time.monotonic()
+        started, before = time.monotonic(), processor_seconds()
+        timing = Timing(name)
         try:
-            note = step()
+            timing.note = step()
         except Skipped as reason:
             return Timing(name, skipped=str(reason))
         except FlowError as error:
-            return Timing(name, time.monotonic() - started, failed=str(error))
-        return Timing(name, time.monotonic() - started, note)
+            timing.failed = str(error)
+        timing.seconds, timing.processor_seconds = time.monotonic() - started, processor_seconds() - before
+        return timing
 
     def prepare(self) -> None:
         """What must be there before the first step is timed: an up-to-date build and a pair of images."""
         WORK.mkdir(parents=True, exist_ok=True)
-        settings = ["-DCMAKE_BUILD_TYPE=Release", f"-DSTEREO_CONFIGURATIONS={self.config}"]
-        run(["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", *settings], log=WORK / "configure.log")
-        run(["cmake", "--build", self.build], log=WORK / "up_to_date.log")
+        # Without a compiler cache: a touched header has the same content.
+        command: list[Word] = ["cmake", "-S", ROOT, "-B", self.build, "-G", "Ninja", "-DSTEREO_COMPILER_CACHE="]
+        run(command, log=WORK / "configure.log")
+        self._make("stereo_hls", f"core_{self.config}")
+        if self._has_test():
+            self._make(self._test())
         run(
             [os.environ["STEREO_HLS"], "scene", "--config", self.config, "--seed", 7, "--out", WORK / "scene"],
             passes_errors=True,
         )
         shutil.rmtree(WORK / "rtl", ignore_errors=True)
-
-    def native_build(self) -> str:
         os.utime(self.header)
-        run(["cmake", "--build", self.build], log=WORK / "build.log")
-        return ""
 
-    def unit_tests(self) -> str:
-        output = run(["ctest", "--test-dir", self.build, "-L", "unit", "--no-tests=error"], log=WORK / "unit.log")
-        return next((line.split(",")[0] for line in output.splitlines() if "tests passed" in line), "")
+    def _make(self, *targets: str) -> None:
+        run(["cmake", "--build", self.build, "--target", *targets], log=WORK / "build.log")
+
+    def _test(self) -> str:
+        return f"blocks_{self.block}_test"
+
+    def _has_test(self) -> bool:
+        return f"{self._test()}:" in run(["cmake", "--build", self.build, "--target", "help"])
+
+    def unit_test(self) -> str:
+        if not self._has_test():
+            raise Skipped(f"there is no test {self._test()}")
+        self._make(self._test())
+        output = run([self.build / "tests" / self._test()], log=WORK / "unit.log")
+        return next((line.strip("[] ") for line in output.splitlines() if "PASSED" in line), "")
+
+    def clocked_core(self) -> str:
+        self._make("stereo_hls", f"core_{self.config}")
+        pair: list[Word] = ["--left", WORK / "scene" / "left.png", "--right", WORK / "scene" / "right.png"]
+        options: list[Word] = ["--config", self.config, "--engine", "clocked", "--out", WORK / "match"]
+        run([os.environ["STEREO_HLS"], "match", *pair, *options], passes_errors=True)
+        return ""
 
     def synthesis(self) -> str:
         need(find_bambu)
@@ -116,6 +140,12 @@ class DevLoop:
         report = json.loads((WORK / name / "report.json").read_text())
         times = f"build {report['build_seconds']:.1f} s, run {report['simulation_seconds']:.2f} s"
         return f"{times}, {report['clocks_per_second']:,.0f} clocks/s"
+
+
+def processor_seconds() -> float:
+    """Of all programs that were called and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 class Skipped(Exception):

@@ -9,8 +9,9 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from flow.base import rtl
 from flow.base.configurations import configuration
-from flow.base.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
 
 
@@ -69,12 +70,12 @@ def report(out):
 def altered_rtl(folder, config, pattern, replacement):
     """A copy of the committed VHDL with the first place that matches changed, and a manifest that fits the change."""
     target = Path(folder) / config
-    shutil.copytree(GENERATED_RTL / config, target)
-    design = target / "stereo_core.vhd"
+    shutil.copytree(rtl.folder(config), target)
+    design = target / f"{rtl.core_entity(config)}.vhd"
     text, count = re.subn(pattern, replacement, design.read_text(), count=1, flags=re.MULTILINE)
     assert count == 1, f"the VHDL of {config} has no '{pattern}'"
     design.write_text(text)
     entry = manifest.read(target)
-    entry["files"]["stereo_core.vhd"] = manifest.digest(design)
+    entry["files"][design.name] = manifest.digest(design)
     manifest.write(target, entry)
     return target

@@ -4,7 +4,7 @@ answer."""
 
 import json
 
-VERILOG = "module stereo_core\\n  assign raster_left = n1_q;\\n  assign slice0cost_column_0 = n2_q;\\nendmodule"
+VERILOG = "module stereo_core_tiny\\n  assign raster_left = n1_q;\\n  assign slice0cost_column_0 = n2_q;\\nendmodule"
 CELLS = {"LUT4": 10, "CCU2C": 3, "TRELLIS_DPR16X4": 2, "PFUMX": 4, "TRELLIS_FF": 7, "DP16KD": 1}
 NETLIST = {
     "modules": {

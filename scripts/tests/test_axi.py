@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stereo_ip against the C++ core: the short run of scripts/verify_axi.py, and faults that it must find."""
+"""A stereo_ip against the C++ core: the short run of scripts/verify_axi.py, and faults that it must find."""
 
 import json
 import re
@@ -9,8 +9,9 @@ import pytest
 
 from flow.base.configurations import configuration
 from flow.base.errors import EXIT_MISSING_TOOL, FlowError
-from flow.shell import cocotb_runs, design, judge, pool, script, verilated
+from flow.shell import cocotb_runs, design, judge, pool, script, template, verilated
 from flow.shell.broken import beats_of
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 
@@ -67,7 +68,7 @@ def altered_shell(folder, file, pattern, replacement):
             text, count = re.subn(pattern, replacement, text, count=1)
             assert count == 1, f"{file}.vhd has no '{pattern}'"
         (folder / path.name).write_text(text)
-    return design.vhdl_files("tiny", shell=folder)
+    return [*manifest.core_files("tiny"), *design.shell_files(folder)]
 
 
 @pytest.mark.parametrize("fault", FAULTS)
@@ -77,7 +78,9 @@ def test_fault_is_found_in_verilator(ghdl, verilator, rng, tmp_path, fault):
     geometry = pool.Geometry.of(parameters)
     frames = pool.make_pool("tiny", parameters, 2, 1, tmp_path / "pool")
     simulation = verilated.Verilated(
-        "tiny", tmp_path / "model", altered_shell(tmp_path / "rtl", file, pattern, replacement)
+        "tiny",
+        tmp_path / "model",
+        [*altered_shell(tmp_path / "rtl", file, pattern, replacement), template.path("tiny")],
     )
     simulation.build()
     full = script.send([beat for frame in frames for beat in beats_of(frame, geometry)])

@@ -7,7 +7,8 @@ import subprocess
 
 import pytest
 
-from flow.base.tools import GENERATED_RTL, ROOT
+from flow.base import rtl
+from flow.base.tools import ROOT
 from flow.synthesis import manifest
 from flow_commands import call, cosim, refused, scene
 
@@ -25,9 +26,9 @@ def nothing_written(tmp_path):
 
 
 @pytest.fixture
-def rtl(tmp_path):
+def tiny_rtl(tmp_path):
     """A copy of the committed VHDL of tiny to damage."""
-    return shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "rtl")
+    return shutil.copytree(rtl.folder("tiny"), tmp_path / "rtl")
 
 
 def test_help_names_the_exit_codes():
@@ -93,13 +94,13 @@ def test_rows_without_any_output_are_refused(pair, nothing_written):
     "tool,variable,options", [("ghdl", "GHDL", []), ("verilator", "VERILATOR", ["--simulator", "verilator"])]
 )
 def test_missing_simulator(pair, nothing_written, tmp_path, tool, variable, options):
-    rtl = shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "rtl")
-    design = rtl / "stereo_core.vhd"
+    copy = shutil.copytree(rtl.folder("tiny"), tmp_path / "rtl")
+    design = copy / "stereo_core_tiny.vhd"
     design.write_text(design.read_text() + "-- so that nothing built before fits\n")
-    entry = manifest.read(rtl)
-    entry["files"]["stereo_core.vhd"] = manifest.digest(design)
-    manifest.write(rtl, entry)
-    process = cosim("tiny", pair, nothing_written, "--rtl", rtl, *options, environment={variable: "/nowhere/tool"})
+    entry = manifest.read(copy)
+    entry["files"]["stereo_core_tiny.vhd"] = manifest.digest(design)
+    manifest.write(copy, entry)
+    process = cosim("tiny", pair, nothing_written, "--rtl", copy, *options, environment={variable: "/nowhere/tool"})
     refused(process, 3, f"{tool} not found in {variable}=/nowhere/tool", "apt-get install")
 
 
@@ -134,37 +135,41 @@ def test_no_vhdl_for_this_configuration(pair, nothing_written, tmp_path):
     )
 
 
-def damage(rtl, **changes):
-    path = rtl / "manifest.json"
+def damage(tiny_rtl, **changes):
+    path = tiny_rtl / "manifest.json"
     entry = json.loads(path.read_text())
     for key, value in changes.items():
         entry.pop(key) if value is None else entry.update({key: value})
     path.write_text(json.dumps(entry))
 
 
-def test_damaged_manifests(pair, rtl, nothing_written):
-    good = (rtl / "manifest.json").read_text()
-    damage(rtl, files=None)
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest", "no files")
-    (rtl / "manifest.json").write_text(good[: len(good) // 2])
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest")
-    (rtl / "manifest.json").write_text("[]")
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest")
-    (rtl / "manifest.json").write_text(good)
-    damage(rtl, format="stereo-hls manifest 9")
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "damaged manifest", "manifest 9")
-    (rtl / "manifest.json").write_text(good)
-    damage(rtl, files={})
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "names no VHDL file")
+def test_damaged_manifests(pair, tiny_rtl, nothing_written):
+    good = (tiny_rtl / "manifest.json").read_text()
+    damage(tiny_rtl, files=None)
+    refused(cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "damaged manifest", "no files")
+    (tiny_rtl / "manifest.json").write_text(good[: len(good) // 2])
+    refused(cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "damaged manifest")
+    (tiny_rtl / "manifest.json").write_text("[]")
+    refused(cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "damaged manifest")
+    (tiny_rtl / "manifest.json").write_text(good)
+    damage(tiny_rtl, format="stereo-hls manifest 9")
+    refused(cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "damaged manifest", "manifest 9")
+    (tiny_rtl / "manifest.json").write_text(good)
+    damage(tiny_rtl, files={})
+    refused(cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "names no VHDL file")
 
 
-def test_vhdl_edited_by_hand(pair, rtl, nothing_written):
-    design = rtl / "stereo_core.vhd"
+def test_vhdl_edited_by_hand(pair, tiny_rtl, nothing_written):
+    design = tiny_rtl / "stereo_core_tiny.vhd"
     design.write_text(design.read_text() + "-- edited\n")
-    refused(cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd differs from its manifest")
+    refused(
+        cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl), 2, "stereo_core_tiny.vhd differs from its manifest"
+    )
     design.unlink()
     refused(
-        cosim("tiny", pair, nothing_written, "--rtl", rtl), 2, "stereo_core.vhd is named by the manifest but missing"
+        cosim("tiny", pair, nothing_written, "--rtl", tiny_rtl),
+        2,
+        "stereo_core_tiny.vhd is named by the manifest but missing",
     )
 
 

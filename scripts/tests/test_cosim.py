@@ -6,8 +6,8 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
+from flow.base import rtl
 from flow.base.configurations import configuration
-from flow.base.tools import GENERATED_RTL
 from flow.pages import quality
 from flow_commands import cosim, random_pair, report, scene
 
@@ -108,10 +108,12 @@ def test_ambrosch2007_real_pair(ghdl, tmp_path):
 def test_vhdl_that_has_moved_is_analysed_again(ghdl, pairs, tmp_path):
     """GHDL opens the files that it has analysed when it runs them."""
     for place in ("here", "there"):
-        rtl = tmp_path / place / "tiny_p2"
-        shutil.copytree(GENERATED_RTL / "tiny_p2", rtl)
-        passed(cosim("tiny_p2", pairs["tiny_p2"], tmp_path / "out", "--rtl", rtl), tmp_path / "out", OUTPUTS["tiny_p2"])
-        shutil.rmtree(rtl)
+        moved = tmp_path / place / "tiny_p2"
+        shutil.copytree(rtl.folder("tiny_p2"), moved)
+        passed(
+            cosim("tiny_p2", pairs["tiny_p2"], tmp_path / "out", "--rtl", moved), tmp_path / "out", OUTPUTS["tiny_p2"]
+        )
+        shutil.rmtree(moved)
 
 
 def test_junit_of_a_pass(ghdl, pairs, tmp_path):

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulation of every option of the algorithm: model == core (hls_tb/stereo_core_options_test.cpp) == VHDL
+"""Co-simulation of every option of the algorithm: model == core (hls_tb/cores/named_cores_test.cpp) == VHDL
 (here)."""
 
 import pytest
 
+from flow.base import rtl
 from flow.base.configurations import configurations
-from flow.base.families import OPTION, SYSTEM, family, keeps_vhdl
 from flow.base.ghdl import to_verilog
-from flow.base.tools import GENERATED_RTL
 from flow.synthesis import manifest
 from flow_commands import cosim, random_pair, report, scene
 
 TABLE = configurations()
-OPTIONS = sorted(name for name in TABLE if family(name) == OPTION)
-SYSTEMS = sorted(name for name in TABLE if family(name) == SYSTEM)
+OPTIONS = sorted(name for name, row in TABLE.items() if row["use"] in ("option", "example"))
 
 
 def passed(process, out, config, frames):
@@ -28,7 +26,7 @@ def test_there_are_enough_parameter_sets():
     """Among them wide ranges, even windows, several rows at once."""
     assert len(OPTIONS) >= 30
     assert any(p["disparities"] > 0.8 * p["width_px"] for p in TABLE.values())
-    assert any(p["window_px"] % 2 == 0 for p in map(TABLE.get, OPTIONS))
+    assert any(p.get("window_px", 1) % 2 == 0 for p in map(TABLE.get, OPTIONS))
     assert {p["pixels_per_clock"] for p in map(TABLE.get, OPTIONS)} == {1, 2, 4}
 
 
@@ -51,21 +49,4 @@ def test_bubbles_on_a_scene(ghdl, tmp_path, config):
 
 @pytest.mark.parametrize("config", OPTIONS)
 def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
-    assert to_verilog(manifest.vhdl_files(GENERATED_RTL / config), tmp_path).count("endmodule") >= 1
-
-
-@pytest.mark.parametrize("config", SYSTEMS)
-def test_whole_frame_of_a_system(verilator, tmp_path, config):
-    if not (GENERATED_RTL / config / "stereo_core.vhd").is_file():
-        assert not keeps_vhdl(config)
-        pytest.skip(
-            f"SKIP: the repository does not keep the VHDL of {config}; "
-            f"scripts/synthesize.py --config {config} makes it, with Bambu"
-        )
-    if manifest.stale_reasons(config, TABLE[config]):
-        pytest.skip(
-            f"SKIP: the VHDL of {config} is of older sources; "
-            f"scripts/synthesize.py --config {config} makes it again, with Bambu"
-        )
-    process = cosim(config, scene(tmp_path / "pair", config), tmp_path / "out", "--simulator", "verilator")
-    passed(process, tmp_path / "out", config, 1)
+    assert to_verilog(manifest.core_files(config), tmp_path, rtl.core_entity(config)).count("endmodule") >= 1

@@ -7,11 +7,11 @@ import shutil
 
 import pytest
 
+from flow.base import rtl
 from flow.base.errors import FlowError
-from flow.base.tools import GENERATED_RTL
 from flow.cosim import record
-from flow.implementation import results
 from flow.pages import performance
+from flow.pages.published import System
 from flow.synthesis import manifest
 from flow_commands import call, refused
 
@@ -31,11 +31,11 @@ REPORT = {
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
-    (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
-    for module in (record, results, manifest):
-        monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
-    return tmp_path / "tiny"
+    shutil.copytree(rtl.folder("tiny"), tmp_path / "block_matching" / "tiny")
+    copy = tmp_path / "block_matching" / "tiny"
+    (copy / "implementation.json").unlink(missing_ok=True)
+    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+    return copy
 
 
 def test_the_last_run_of_each_simulator_is_kept(folder):
@@ -55,7 +55,7 @@ def test_the_last_run_of_each_simulator_is_kept(folder):
 def test_results_of_other_vhdl_do_not_count(folder):
     record.keep(REPORT)
     entry = manifest.read(folder)
-    assert record.read(folder, entry | {"files": entry["files"] | {"stereo_core.vhd": "0"}}) == {}
+    assert record.read(folder, entry | {"structure": "0"}) == {}
 
 
 @pytest.mark.parametrize(
@@ -75,14 +75,14 @@ def test_damaged_results_are_refused(folder, content):
 
 
 def test_the_page_shows_them(folder, monkeypatch):
-    monkeypatch.setattr(performance, "SYSTEMS", [("ours", "32x12", None, "", "tiny")])
+    monkeypatch.setattr(performance, "SYSTEMS", [System("ours", "32x12", None, "", "tiny")])
     record.keep(REPORT)
     head, rows = performance.systems()
     shown = dict(zip(head, rows[0]))
     assert (shown["compared in GHDL"], shown["compared in Verilator"]) == ("168 of 168, 0 differ", performance.UNKNOWN)
 
 
-@pytest.mark.parametrize("options", [["--rtl", GENERATED_RTL / "tiny"], ["--simulator", "original"]])
+@pytest.mark.parametrize("options", [["--rtl", rtl.folder("tiny")], ["--simulator", "original"]])
 def test_only_results_of_the_committed_vhdl_are_recorded(options):
     refused(
         call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record"

@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from conftest import need
-from flow.base.tools import GENERATED_RTL, ROOT, find_stereo_hls
+from flow.base import rtl
+from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
 from flow_commands import call, random_pair, refused, report, scene
 
@@ -64,7 +65,7 @@ def check_page(folder, text):
         interval = entry["initiation_interval"]
         assert f"{interval['min']} / {interval['avg']:.2f} / {interval['max']}" in text
     match = json.loads((folder / "match" / "match.json").read_text())
-    facts = manifest.read(GENERATED_RTL / match["config"])
+    facts = manifest.read(rtl.folder(match["config"]))
     assert f"{facts['tool_report']['memory_bits']:,}" in text and facts["tool"] in text
     assert "153,120" in text and "884,736" in text
 
@@ -103,7 +104,7 @@ def test_demo_ends_with_the_key_facts(tiny_demo):
         "PASS: VHDL against C++ core, tiny: 168 of 168 outputs in ghdl, 576 of 576 outputs in verilator; 0 mismatches"
     )
     assert last[2].startswith("384 clocks a frame, latency 15 clocks, ") and "% bad pixels" in last[2]
-    figures = manifest.read(GENERATED_RTL / "tiny")["tool_report"]
+    figures = manifest.read(rtl.folder("tiny"))["tool_report"]
     assert last[3] == f"{figures['memory_bits']:,} memory bits, {figures['register_bits']:,} register bits"
 
 

@@ -5,8 +5,8 @@ import os
 
 import pytest
 
+from flow.base import rtl
 from flow.base.errors import FlowError
-from flow.base.tools import GENERATED_RTL
 from flow.implementation import nextpnr
 from flow.synthesis import manifest
 from flow_commands import call
@@ -21,5 +21,5 @@ def test_example_meets_its_clock(ghdl, yosys, tmp_path):
     assert process.returncode == 0, process.stdout + process.stderr
     # Fewer flip-flops than registers in the core would be an example that was optimised away.
     flip_flops = int(process.stdout.rpartition(" LUT sites, ")[2].split()[0])
-    assert flip_flops > 0.95 * manifest.read(GENERATED_RTL / "tiny")["tool_report"]["register_bits"]
+    assert flip_flops > 0.95 * manifest.read(rtl.folder("tiny"))["tool_report"]["register_bits"]
     assert os.path.getsize(tmp_path / "example" / "example.bit") > 100_000

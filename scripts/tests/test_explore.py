@@ -10,12 +10,13 @@ from pathlib import Path
 
 import pytest
 
+from flow.base import rtl
 from flow.base.configurations import configurations
-from flow.base.families import STUDY, family
-from flow.base.tools import GENERATED_RTL, find_stereo_hls
+from flow.base.tools import find_stereo_hls
 from flow.implementation import figures, results
 from flow.quality import explore, hardware_cost
-from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Family
+from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Study
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 TABLE = configurations()
@@ -50,7 +51,7 @@ LUTS = {
 
 
 def made_up():
-    return Family({name: Known(name, luts) for name, luts in LUTS.items()})
+    return Study({name: Known(name, luts) for name, luts in LUTS.items()})
 
 
 def options(**changes):
@@ -83,18 +84,18 @@ def test_several_options_are_estimated_by_what_each_costs_alone():
 def test_other_disparities_are_in_proportion():
     assert made_up().cost(options(disparities=64)) == hardware_cost.Cost(ESTIMATE, 4 * 4500, ("study_recursive",))
     assert "gives 18,750 LUT4, measured are 15,000: +25 %" in made_up().scale_check()
-    assert Family({"study": Known("study", 1)}).scale_check() is None
+    assert Study({"study": Known("study", 1)}).scale_check() is None
 
 
 def test_an_option_that_is_not_measured_makes_the_cost_absent():
     cost = made_up().cost(options(cost="census", window_px=9, median=True))
     assert (cost.kind, cost.luts, cost.missing) == (ABSENT, None, ("window 9x9", "census 5x5"))
-    assert Family({"study": Known("study", None)}).cost(options(median=True)).missing == ("the plain core",)
+    assert Study({"study": Known("study", None)}).cost(options(median=True)).missing == ("the plain core",)
 
 
 def test_committed_results():
     """Each configuration with a result of its own costs what its file says, or less with the other sums."""
-    committed = Family()
+    committed = Study()
     assert len(committed.measured) > 10
     for name in committed.measured:
         configuration = results.Configuration(name, stale_is_none=True)
@@ -104,14 +105,14 @@ def test_committed_results():
 
 def test_switches_are_options_of_the_study_family():
     for switch, name in {**explore.SWITCHES, **explore.COSTS}.items():
-        assert family(name) == STUDY and (GENERATED_RTL / name / "manifest.json").is_file()
-        found = Family().options_of(name)
+        assert manifest.read(rtl.folder(name))["use"] == "study"
+        found = Study().options_of(name)
         assert set(found) <= set(hardware_cost.OPTIONS) and (found or name == "study"), switch
 
 
 def test_no_core_has_census_with_a_prefilter():
     sweep = explore.Sweep([5], ["sad", "census"], [16], ["xsobel", "texture"])
-    found, refused_ones = explore.choices(sweep, Family())
+    found, refused_ones = explore.choices(sweep, Study())
     titles = [choice.title for choice in found]
     assert titles == ["sad 5x5", "sad 5x5 xsobel", "sad 5x5 xsobel texture", "census 5x5"] and refused_ones == 4
 
@@ -193,7 +194,7 @@ def test_rows_are_what_their_commands_print(explored, tmp_path):
 def test_what_is_measured_is_said(explored):
     process, out = explored
     choices = {row["title"]: row for row in json.loads((out / "explore.json").read_text())["choices"]}
-    measured = Family().measured
+    measured = Study().measured
     plain = {"study", "study_recursive"} & set(measured)
     for title, names in (
         ("sad 5x5", plain),

@@ -5,10 +5,9 @@ import shutil
 
 import pytest
 
+from flow.base import rtl
 from flow.base.configurations import configurations
-from flow.base.families import STUDY, family
-from flow.base.tools import GENERATED_RTL
-from flow.implementation import record, results
+from flow.implementation import record
 from flow.pages import features
 from flow.synthesis import manifest
 from flow_commands import call
@@ -36,25 +35,25 @@ def test_committed_page_is_up_to_date():
 
 def test_every_study_configuration_stands_on_the_page():
     shown = {name for _, members in features.OPTIONS for name, _ in members} | set(features.DEPTHS)
-    assert shown == {name for name in configurations() if family(name) == STUDY}
+    assert shown == {name for name, row in configurations().items() if row["use"] == "study"}
 
 
 @pytest.fixture
 def folders(tmp_path, monkeypatch):
     """The manifests of two configurations, with results of our making."""
+    tiny, family = manifest.read(rtl.folder("tiny")), tmp_path / "block_matching"
     for name, luts in (("study", 5000), ("study_lr", 6500)):
-        (tmp_path / name).mkdir()
-        entry = manifest.read(GENERATED_RTL / "tiny") | {"configuration": name}
-        manifest.write(tmp_path / name, entry)
-        record.merge(tmp_path / name, entry, "ecp5", {**AREA, "luts": luts})
-    for module in (results, manifest):
-        monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
+        (family / name).mkdir(parents=True)
+        entry = tiny | {"configuration": name}
+        manifest.write(family / name, entry)
+        record.merge(family / name, entry, "ecp5", {**AREA, "luts": luts})
+    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
     monkeypatch.setattr(
         features,
         "OPTIONS",
         [("plain", [("study", "nothing")]), ("checks", [("study_lr", "left/right"), ("study_none", "not measured")])],
     )
-    return tmp_path
+    return family
 
 
 def test_options_stand_beside_the_plain_core(folders):

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from conftest import SEED
+from flow.base import rtl
 from flow.base.errors import FlowError
-from flow.base.tools import GENERATED_RTL
 from flow.cosim import checker, record as cosim_record, vectors
 from flow.implementation import record as implementation
 from flow.pages import demo_folder, performance, report
@@ -82,7 +82,7 @@ COSIM = {
 COSIM_RECORD = {
     "format": cosim_record.FORMAT,
     "configuration": "tiny",
-    "vhdl_digest": {"stereo_core.vhd": "00"},
+    "design": {"structure": "00"},
     "runs": {
         "ghdl": {
             "command": "scripts/cosim.py",
@@ -121,17 +121,17 @@ def use_manifest(folder, _):
     entry = manifest.read(folder)
     assert set(manifest.KEYS) <= set(entry)
     manifest.vhdl_files(folder)
-    implementation.is_fresh({"vhdl_digest": {}}, entry)
+    implementation.is_fresh({"design": {}}, entry)
 
 
 def use_implementation(folder, _):
     result = implementation.read(folder)
     assert result is not None
-    assert not implementation.is_fresh(result, {"files": {"other.vhd": ""}})
+    assert not implementation.is_fresh(result, {"cells": {}, "structure": ""})
 
 
 def use_cosim_record(folder, _):
-    runs = cosim_record.read(folder, {"files": COSIM_RECORD["vhdl_digest"]})
+    runs = cosim_record.read(folder, {"cells": {}, **COSIM_RECORD["design"]})
     assert all(performance.compared(run).endswith(" differ") for run in runs.values())
 
 
@@ -155,7 +155,7 @@ TARGETS = {"match.json": "match/match.json", "cosim.json": "cosim-verilator/repo
 
 def committed(name):
     """A file of the committed VHDL of tiny, short enough to be damaged everywhere."""
-    content = json.loads((GENERATED_RTL / "tiny" / name).read_text())
+    content = json.loads((rtl.folder("tiny") / name).read_text())
     if "sources" in content:
         content["sources"] = dict(list(content["sources"].items())[:2])
     return content
@@ -182,7 +182,7 @@ def refusal(name, content, use):
     """None when the bytes were taken, else the sentence."""
     with tempfile.TemporaryDirectory(prefix="stereo-fuzz-") as folder:
         folder = Path(folder)
-        for path in (GENERATED_RTL / "tiny").glob("*.vhd"):
+        for path in (rtl.folder("tiny")).glob("*.vhd"):
             (folder / path.name).symlink_to(path)
         (folder / name).write_bytes(content)
         try:

@@ -7,10 +7,13 @@ import shutil
 import pytest
 
 import implementation_stand_ins as stand_ins
-from flow.base.tools import GENERATED_RTL, ROOT
+from flow.base import rtl
+from flow.base.tools import ROOT
 from flow.implementation import nextpnr, yosys
 from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, refused
+
+TINY = rtl.folder("tiny").relative_to(ROOT)
 
 
 @pytest.fixture
@@ -23,14 +26,15 @@ def build(tmp_path, monkeypatch):
     """Each test has its own flow, so that stand-ins leave nothing in the project's build folder."""
     project = tmp_path / "project"
     shutil.copytree(ROOT / "scripts", project / "scripts", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copytree(GENERATED_RTL / "tiny", project / "generated_rtl" / "tiny")
-    (project / "generated_rtl" / "tiny" / "implementation.json").unlink(missing_ok=True)
+    shutil.copytree(rtl.folder("tiny"), project / TINY)
+    (project / TINY / "implementation.json").unlink(missing_ok=True)
+    shutil.copytree(rtl.HAND_WRITTEN, project / "hls" / "rtl")
     monkeypatch.setattr("flow_commands.ROOT", project)
     return project
 
 
 def results(project):
-    return json.loads((project / "generated_rtl" / "tiny" / "implementation.json").read_text())
+    return json.loads((project / TINY / "implementation.json").read_text())
 
 
 def run_tiny(tools, *options, **stand_in):
@@ -92,12 +96,14 @@ def test_one_target_keeps_the_others(build, tools):
 
 def test_results_of_other_vhdl_are_dropped(build, tools, tmp_path):
     assert run_tiny(tools, "--target", "cyclonev").returncode == 0
-    rtl = altered_rtl(tmp_path / "altered", "tiny", "^-- Names are", "-- The names are")
-    shutil.copy(build / "generated_rtl/tiny/implementation.json", rtl)
-    assert run_tiny(tools, "--target", "ecp5", "--rtl", rtl).returncode == 0
-    after = json.loads((rtl / "implementation.json").read_text())
+    altered = altered_rtl(tmp_path / "altered", "tiny", "^-- Names are", "-- The names are")
+    entry = manifest.read(altered)
+    manifest.write(altered, entry | {"structure": "0"})
+    shutil.copy(build / TINY / "implementation.json", altered)
+    assert run_tiny(tools, "--target", "ecp5", "--rtl", altered).returncode == 0
+    after = json.loads((altered / "implementation.json").read_text())
     assert list(after["targets"]) == ["ecp5"]
-    assert after["vhdl_digest"] == manifest.read(rtl)["files"]
+    assert after["design"] == entry["cells"] | {"structure": "0"}
     assert list(results(build)["targets"]) == ["cyclonev"], "--rtl leaves generated_rtl alone"
 
 

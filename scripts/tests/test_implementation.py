@@ -4,13 +4,12 @@
 import pytest
 
 from conftest import need
-from flow.base.families import PAPER, STUDY, TINY, family
-from flow.base.tools import GENERATED_RTL
+from flow.base import rtl
 from flow.implementation import figures, record, yosys
 from flow.synthesis import manifest
 from flow_commands import call
 
-CONFIGURATIONS = [name for name in manifest.known_configurations() if record.read(GENERATED_RTL / name)]
+CONFIGURATIONS = [name for name in rtl.known_configurations() if record.read(rtl.folder(name))]
 PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 16_384  # of the paper's 884,736
 LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
@@ -18,22 +17,21 @@ LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
 
 def committed(name, target=None):
     """The committed result of a configuration, or of one of its targets."""
-    result = record.read(GENERATED_RTL / name)
+    result = record.read(rtl.folder(name))
     return result["targets"][target] if target else result
 
 
 def test_what_the_repository_says_of_itself_is_implemented():
     """The paper's core and the small ones on each target; each option of the study on the routed one."""
-    for name in manifest.known_configurations():
-        if family(name) in (PAPER, TINY):
-            assert set(committed(name)["targets"]) == set(yosys.TARGETS), name
-        elif family(name) == STUDY:
-            assert "ecp5" in committed(name)["targets"], name
+    for name in manifest.with_use("paper", "tiny"):
+        assert set(committed(name)["targets"]) == set(yosys.TARGETS), name
+    for name in manifest.with_use("study"):
+        assert "ecp5" in committed(name)["targets"], name
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_results_are_of_the_committed_vhdl(name):
-    result, entry = committed(name), manifest.read(GENERATED_RTL / name)
+    result, entry = committed(name), manifest.read(rtl.folder(name))
     assert result["configuration"] == name
     assert record.is_fresh(result, entry), f"results are of other VHDL; run scripts/implement.py --config {name}"
 
@@ -42,7 +40,7 @@ def test_results_are_of_the_committed_vhdl(name):
 def test_line_memories_are_ram(name):
     for target, result in committed(name)["targets"].items():
         assert result["memory_in_flip_flops"] is False, f"{name} on {target}: a line memory became flip-flops"
-        declared = manifest.read(GENERATED_RTL / name)["tool_report"]["memory_bits"]
+        declared = manifest.read(rtl.folder(name))["tool_report"]["memory_bits"]
         assert 0.9 * declared <= result["memory_bits"] <= declared, (
             "bits that never change may fall away, as those above a small D"
         )
@@ -51,7 +49,7 @@ def test_line_memories_are_ram(name):
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_flip_flops_are_about_the_registers(name):
     """More would be memory in flip-flops; fewer, a core that was optimised away."""
-    register_bits = manifest.read(GENERATED_RTL / name)["tool_report"]["register_bits"]
+    register_bits = manifest.read(rtl.folder(name))["tool_report"]["register_bits"]
     for target, result in committed(name)["targets"].items():
         assert 0.8 * register_bits <= result["ffs"] <= 1.1 * register_bits + 300, f"{name} on {target}"
 

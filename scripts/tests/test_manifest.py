@@ -3,37 +3,35 @@
 
 import pytest
 
-from flow.base import tools
+from flow.base import rtl, tools
 from flow.base.configurations import configuration, configurations
-from flow.base.families import keeps_vhdl
 from flow.synthesis import generate, manifest
 from flow_commands import call
 
-# Of the others the repository has no VHDL.
-CONFIGURATIONS = sorted(filter(keeps_vhdl, configurations()))
+TABLE = configurations()
+CONFIGURATIONS = sorted(TABLE)
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_is_up_to_date(name):
-    reasons = manifest.stale_reasons(name, configuration(name))
-    assert not reasons, (
-        f"generated_rtl/{name} is stale ({'; '.join(reasons)}); run scripts/synthesize.py --config {name}"
-    )
+    reasons = manifest.stale_reasons(name, TABLE[name])
+    assert not reasons, f"{name} is stale ({'; '.join(reasons)}); run scripts/synthesize.py --config {name}"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_is_what_the_manifest_says(name):
-    files = manifest.vhdl_files(tools.GENERATED_RTL / name)
-    assert [path.name for path in files] == ["line_memory.vhd", "stereo_core.vhd"], "compile order"
+    folder = rtl.folder(name)
+    assert folder.parent.name == TABLE[name]["family"]
+    assert manifest.core_files(name) == [rtl.MEMORY_CELL, folder / f"{rtl.core_entity(name)}.vhd"], "compile order"
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_generated_vhdl_says_where_it_came_from(name):
-    head = (tools.GENERATED_RTL / name / "stereo_core.vhd").read_text()[:600]
+    head = (rtl.folder(name) / f"{rtl.core_entity(name)}.vhd").read_text()[:800]
     for words in (
         "SPDX-License-Identifier: Apache-2.0",
         f"configuration {name}",
-        "hls/stereo_top.cpp",
+        "hls/top/stereo_top.cpp",
         "PandA Bambu",
         "synthesize.py",
     ):
@@ -41,13 +39,12 @@ def test_generated_vhdl_says_where_it_came_from(name):
 
 
 def test_every_folder_is_a_configuration():
-    folders = {path.name for path in tools.GENERATED_RTL.iterdir()}
-    assert folders >= set(CONFIGURATIONS) and folders <= set(configurations())
+    assert {path.name for path in rtl.GENERATED_RTL.glob("*/*")} == set(CONFIGURATIONS)
 
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_nothing_of_the_tools_library_is_committed(name):
-    for path in (tools.GENERATED_RTL / name).iterdir():
+    for path in rtl.folder(name).iterdir():
         text = path.read_text().lower()
         for word in ("politecnico", "lgpl", "panda_pkg", "_expr_fu", "mux_gate", "lesser general"):
             assert word not in text, f"{path.name} has '{word}'"
@@ -57,58 +54,81 @@ def test_nothing_of_the_tools_library_is_committed(name):
 def project(tmp_path, monkeypatch):
     """A copy of what the digests cover, to be changed."""
     for pattern in (
-        "hls/*.[hc]pp",
+        "hls/**/*.[hc]pp",
         "hls/rtl/*.vhd",
-        "hls_tb/vectors/*names.hpp",
+        "scripts/flow/base/*.py",
         "scripts/flow/synthesis/**/*.py",
-        "generated_rtl/*/*",
+        "generated_rtl/*/tiny/*",
+        "generated_rtl/*/ambrosch2007/*",
     ):
         for path in tools.ROOT.glob(pattern):
             target = tmp_path / path.relative_to(tools.ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(path.read_bytes())
     monkeypatch.setattr(manifest, "ROOT", tmp_path)
-    monkeypatch.setattr(manifest, "GENERATED_RTL", tmp_path / "generated_rtl")
-    return tmp_path
+    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path / "generated_rtl")
+    monkeypatch.setattr(rtl, "MEMORY_CELL", tmp_path / "hls" / "rtl" / "line_memory.vhd")
+    manifest._included.cache_clear()
+    yield tmp_path
+    manifest._included.cache_clear()
 
 
-def test_a_changed_new_or_missing_source_makes_the_vhdl_stale(project):
-    parameters = configuration("tiny")
-    assert manifest.stale_reasons("tiny", parameters) == []
-    block = project / "hls" / "sad_cost.hpp"
-    block.write_text(block.read_text().replace("255", "254", 1))
-    (project / "hls" / "census_cost.hpp").write_text("#pragma once\n")
+def append(path, text="\n"):
+    path.write_text(path.read_text() + text)
+
+
+def test_a_changed_or_missing_source_makes_the_vhdl_stale(project):
+    row = TABLE["tiny"]
+    assert manifest.stale_reasons("tiny", row) == []
+    append(project / "hls" / "cost" / "sad_cost.hpp")
+    append(project / "hls" / "support" / "ring.hpp")
+    append(project / "hls" / "rtl" / "line_memory.vhd")
     (project / "scripts" / "flow" / "synthesis" / "lowering" / "rules.py").unlink()
-    for path in (
-        "scripts/flow/synthesis/bambu.py",
-        "scripts/flow/synthesis/generate.py",
-        "hls_tb/vectors/register_names.hpp",
-    ):
-        (project / path).write_text((project / path).read_text() + "\n")
-    assert manifest.stale_reasons("tiny", parameters) == [
-        "hls/census_cost.hpp is new",
-        "hls/sad_cost.hpp changed",
-        "hls_tb/vectors/register_names.hpp changed",
+    for path in ("base/rtl.py", "synthesis/bambu.py", "synthesis/generate.py"):
+        append(project / "scripts" / "flow" / path)
+    assert manifest.stale_reasons("tiny", row) == [
+        "hls/cost/sad_cost.hpp changed",
+        "hls/rtl/line_memory.vhd changed",
+        "hls/support/ring.hpp changed",
+        "scripts/flow/base/rtl.py changed",
         "scripts/flow/synthesis/bambu.py changed",
         "scripts/flow/synthesis/generate.py changed",
         "scripts/flow/synthesis/lowering/rules.py is gone",
     ]
 
 
+def test_only_what_the_hardware_top_includes_counts(project):
+    """A new family changes nothing for the others; a header that joins does."""
+    row = TABLE["tiny"]
+    (project / "hls" / "semi_local").mkdir()
+    for path in ("semi_local/core.hpp", "cost/mutual_information.hpp", "winner/unused.hpp"):
+        (project / "hls" / path).write_text("#pragma once\n")
+    assert manifest.stale_reasons("tiny", row) == []
+    core = project / "hls" / "block_matching" / "core.hpp"
+    core.write_text(
+        core.read_text().replace("#pragma once\n", '#pragma once\n#include "cost/mutual_information.hpp"\n')
+    )
+    manifest._included.cache_clear()
+    assert manifest.stale_reasons("tiny", row) == [
+        "hls/block_matching/core.hpp changed",
+        "hls/cost/mutual_information.hpp is new",
+    ]
+
+
 def test_vhdl_that_is_not_what_was_made_is_said(project):
-    parameters = configuration("tiny")
-    design = project / "generated_rtl" / "tiny" / "stereo_core.vhd"
-    design.write_text(design.read_text() + "-- by hand\n")
-    (project / "generated_rtl" / "tiny" / "line_memory.vhd").unlink()
-    assert manifest.stale_reasons("tiny", parameters) == ["line_memory.vhd is missing", "stereo_core.vhd was edited"]
+    design = project / "generated_rtl" / "block_matching" / "tiny" / "stereo_core_tiny.vhd"
+    append(design, "-- by hand\n")
+    assert manifest.stale_reasons("tiny", TABLE["tiny"]) == ["stereo_core_tiny.vhd was edited"]
+    design.unlink()
+    assert manifest.stale_reasons("tiny", TABLE["tiny"]) == ["stereo_core_tiny.vhd is missing"]
 
 
 def test_a_changed_row_of_the_table_makes_only_its_vhdl_stale(project):
-    table = project / "hls" / "configurations.hpp"
-    table.write_text(table.read_text() + "// another configuration\n")
-    assert manifest.stale_reasons("ambrosch2007", configuration("ambrosch2007")) == []
-    changed = dict(configuration("tiny"), disparities=9)
-    assert manifest.stale_reasons("tiny", changed) == ["its row in hls/configurations.hpp changed"]
+    append(project / "hls" / "block_matching" / "configurations.hpp", "// another configuration\n")
+    assert manifest.stale_reasons("ambrosch2007", TABLE["ambrosch2007"]) == []
+    for change in ({"disparities": 9}, {"use": "system"}):
+        reasons = manifest.stale_reasons("tiny", TABLE["tiny"] | change)
+        assert reasons == ["its row in block_matching/configurations.hpp changed"]
 
 
 def test_check_command_needs_no_bambu():
@@ -138,7 +158,8 @@ def test_a_failing_tool_leaves_nothing_behind(tmp_path):
     version, command = (tmp_path / "bambu.calls").read_text().splitlines()
     assert version == "--version"
     for option in (
-        "hls/stereo_top.cpp",
+        "hls/top/stereo_top.cpp",
+        "-DSTEREO_FAMILY=block_matching",
         "-DSTEREO_CONFIGURATION=tiny",
         "--top-fname=stereo_core",
         "-wH",

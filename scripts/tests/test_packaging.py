@@ -6,14 +6,16 @@ import os
 import re
 import shutil
 import subprocess
+from functools import partial
 
 import pytest
 
-from flow.base import venv
+from flow.base import rtl, venv
 from flow.base.errors import FlowError
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
-from flow.shell import cocotb_runs, design, example
+from flow.shell import cocotb_runs, design, example, template
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 
@@ -40,35 +42,89 @@ def ghdl_run(ghdl, folder, files, top):
     return step("-r", STANDARD, top, "--ieee-asserts=disable-at-0")
 
 
-@pytest.mark.parametrize("config", ["tiny", "tiny_p2", "tiny_p4", "ambrosch2007"])
-def test_entity_without_generics_fits_its_core(ghdl, tmp_path, config):
-    wrapper = tmp_path / "wrapper.vhd"
-    assert call("instantiate.py", "--config", config, "--out", wrapper).returncode == 0
-    named = [ROOT / name for name in re.findall(r"^--   (\S+\.vhd)$", wrapper.read_text(), re.MULTILINE)]
-    assert named == design.vhdl_files(config)
-    process = ghdl_run(ghdl, tmp_path, [*named, wrapper], f"stereo_ip_{config}")
+CONFIGURATIONS = ["tiny", "tiny_p2", "tiny_p4", "tiny_all_recursive", "example_p2_delayed", "ambrosch2007"]
+
+
+@pytest.mark.parametrize("config", rtl.known_configurations())
+def test_committed_wrapper_follows_from_the_manifest(config):
+    assert template.path(config).read_text() == template.entity(config, manifest.read(rtl.folder(config)))
+
+
+def test_command_prints_the_committed_wrapper():
+    process = call("instantiate.py", "--config", "tiny")
+    assert process.returncode == 0 and process.stdout == template.path("tiny").read_text()
+
+
+@pytest.mark.parametrize("config", CONFIGURATIONS)
+def test_wrapper_fits_its_core(ghdl, tmp_path, config):
+    process = ghdl_run(ghdl, tmp_path, design.vhdl_files(config), rtl.ip_entity(config))
     assert process.returncode == 0, process.stdout + process.stderr
+
+
+def two_cores(configs):
+    """A design with two configurations, each with its streams tied off."""
+    instances = []
+    for config in configs:
+        ports = template.ports(design.generics(manifest.read(rtl.folder(config))))
+        tied = {
+            port.name: "open" if port.direction == "out" else "(others => '0')" if "vector" in port.kind else "'0'"
+            for port in ports
+        }
+        instances.append(template.instance(f"{config}_ip", rtl.ip_entity(config), {}, tied | {"aclk": "clock"}))
+    head = "library ieee;\nuse ieee.std_logic_1164.all;\nentity two is\nend entity;\narchitecture test of two is\n"
+    return head + "  signal clock : std_logic := '0';\nbegin\n" + "\n".join(instances) + "\nend architecture;\n"
+
+
+@pytest.mark.parametrize("configs", [("tiny", "tiny_p4"), ("tiny_all_recursive", "example")])
+def test_two_configurations_stand_in_one_library(ghdl, tmp_path, configs):
+    (tmp_path / "two.vhd").write_text(two_cores(configs))
+    process = ghdl_run(ghdl, tmp_path, [*design.library_files(configs), tmp_path / "two.vhd"], "two")
+    assert process.returncode == 0, process.stdout + process.stderr
+
+
+@pytest.mark.parametrize("config", ["tiny", "example_p2_delayed"])
+@pytest.mark.parametrize("generic", rtl.GENERICS)
+def test_a_wrong_generic_stops_elaboration(ghdl, tmp_path, config, generic):
+    """A core that is not what its user says of it: a wrapper of another configuration, or of another version."""
+    values = design.generics(manifest.read(rtl.folder(config)))
+    wrong, entity = values[generic] + 1, rtl.core_entity(config)
+    step = partial(subprocess.run, cwd=tmp_path, capture_output=True, text=True)
+    assert step([ghdl, "-a", STANDARD, *manifest.core_files(config)]).returncode == 0
+    process = step([ghdl, "-r", STANDARD, entity, f"-g{generic}={wrong}"])
+    assert process.returncode != 0
+    assert f"{entity}: {generic} is {wrong} but this core has {values[generic]}" in process.stdout + process.stderr
+
+
+def test_registers_of_another_core_stop_elaboration(ghdl, tmp_path):
+    """The shell of one configuration around the core of another."""
+    text = template.path("tiny").read_text().replace(rtl.core_entity("tiny"), rtl.core_entity("tiny_ties"))
+    assert rtl.core_entity("tiny_ties") in text
+    text = text.replace("width_px => 32", "width_px => 40")
+    (tmp_path / "mixed.vhd").write_text(text)
+    files = [*manifest.core_files("tiny_ties"), *design.shell_files(), tmp_path / "mixed.vhd"]
+    process = ghdl_run(ghdl, tmp_path, files, rtl.ip_entity("tiny"))
+    assert process.returncode != 0
+    assert "stereo_core_tiny_ties: width_px is 40 but this core has 32" in process.stdout + process.stderr
 
 
 def test_instance_to_be_pasted():
     process = call("instantiate.py", "--config", "tiny_p2", "--instance")
-    assert process.returncode == 0
-    assert "entity work.stereo_ip" in process.stdout and "pixels_per_clock => 2" in process.stdout
+    assert process.returncode == 0 and "entity work.stereo_ip_tiny_p2" in process.stdout
+    named = [ROOT / name for name in re.findall(r"^  -- (\S+\.vhd)$", process.stdout, re.MULTILINE)]
+    assert named == design.vhdl_files("tiny_p2"), "what must be compiled before it"
 
 
 def test_unknown_configuration():
     refused(call("instantiate.py", "--config", "nonsense"), 2, "no generated VHDL for 'nonsense'")
 
 
-def test_example_has_the_generics_of_its_core():
+def test_example_has_the_sizes_of_its_core():
     text = (example.FOLDER / "example_top.vhd").read_text()
-    text = text[text.index("entity work.stereo_ip") :]
-    constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", (example.FOLDER / "example_top.vhd").read_text()))
-    given = {
-        name: int(constants.get(value, value))
-        for name, value in re.findall(r"(\w+) => (\w+)", text[: text.index("port map")])
-    }
-    assert given == design.generics("tiny")
+    constants = dict(re.findall(r"constant (\w+) : \w+ := (\d+);", text))
+    values = design.generics(manifest.read(rtl.folder(example.CONFIG)))
+    sizes = [name for name in values if name in constants]
+    assert len(sizes) >= 3 and all(int(constants[name]) == values[name] for name in sizes)
+    assert f"entity work.{rtl.ip_entity(example.CONFIG)}" in text
 
 
 def test_example_shows_the_right_disparities(ghdl, tmp_path):
@@ -105,7 +161,7 @@ def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
     environment = {**os.environ, "PATH": f"{fusesoc}{os.pathsep}{os.environ['PATH']}"}
     # A copy: FuseSoC would look for cores in build/, too.
     cores = tmp_path / "cores"
-    for name in ("hls", "generated_rtl/tiny", "examples"):
+    for name in ("hls", "generated_rtl/block_matching/tiny", "examples"):
         shutil.copytree(ROOT / name, cores / name)
     shutil.copy(ROOT / "stereo_hls.core", cores)
     process = subprocess.run(

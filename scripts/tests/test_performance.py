@@ -6,9 +6,9 @@ import shutil
 
 import pytest
 
+from flow.base import rtl
 from flow.base.errors import FlowError
-from flow.base.tools import GENERATED_RTL
-from flow.implementation import record as implementation, results
+from flow.implementation import record as implementation
 from flow.pages import performance
 from flow.synthesis import manifest
 from flow_commands import call, refused
@@ -24,12 +24,11 @@ ECP5 = {
 
 @pytest.fixture
 def folders(tmp_path, monkeypatch):
-    """A copy of generated_rtl/tiny alone, for performance.py to read."""
-    shutil.copytree(GENERATED_RTL / "tiny", tmp_path / "tiny")
-    (tmp_path / "tiny" / "implementation.json").unlink(missing_ok=True)
-    for module in (results, manifest):
-        monkeypatch.setattr(module, "GENERATED_RTL", tmp_path)
-    return tmp_path
+    """A copy of tiny's folder alone, for performance.py to read."""
+    shutil.copytree(rtl.folder("tiny"), tmp_path / "block_matching" / "tiny")
+    (tmp_path / "block_matching" / "tiny" / "implementation.json").unlink(missing_ok=True)
+    monkeypatch.setattr(rtl, "GENERATED_RTL", tmp_path)
+    return tmp_path / "block_matching"
 
 
 def record(folders, targets):
@@ -66,13 +65,21 @@ def test_published_numbers(folders):
     assert "| 153,120 | 50.2 | 425 | 3,264 | 15,616 | 884,736 |" in row(page, "Ambrosch")
     assert "79,056" in row(page, "Vitis") and "15,925" in row(page, "SGM")
     assert "not done yet" in row(page, "trellis") and "| 200 |" in row(page, "DeepSea")
+    assert "1300x640, D not stated" in row(page, "Kim")
+
+
+def test_no_frame_rate_that_the_paper_prints_is_missing():
+    printed = {"the paper's own software": 1.24, "Lee et al.": 122, "Kim et al.": 30, "PARTS": 42, "DeepSea": 200}
+    printed |= {"Masrani et al.": 30, "Miyajima et al.": 18.9, "Yi et al.": 30, "Han and Hwang": 60}
+    shown = {(system.name, system.frames_per_second) for system in performance.SYSTEMS}
+    assert shown >= set(printed.items()) | {("Niitsuma et al.", 30), ("Niitsuma et al.", 840)}
 
 
 def test_stale_results_are_refused(folders):
     record(folders, {"ecp5": ECP5})
     path = folders / "tiny" / "implementation.json"
     result = json.loads(path.read_text())
-    result["vhdl_digest"] = {"stereo_core.vhd": "0"}
+    result["design"] = {"structure": "0"}
     path.write_text(json.dumps(result))
     with pytest.raises(FlowError, match="of other VHDL"):
         performance.page()
@@ -88,7 +95,7 @@ def test_bad_options():
     [
         (["--rows", "1"], ["--rows must be 2 or more"]),
         (["--header", "nonsense.hpp"], ["no hls/nonsense.hpp"]),
-        (["--config", "nonsense"], ["unknown configuration 'nonsense'"]),
+        (["--config", "nonsense"], ["no generated VHDL for 'nonsense'"]),
     ],
 )
 def test_dev_loop_refuses(options, words):

@@ -124,8 +124,8 @@ def test_every_row_of_the_comparison_stands_on_the_page(tmp_path):
     text = report.render(demo_folder.read_demo(fill(tmp_path / "demo", "tiny")))
     for other in performance.PUBLISHED:
         assert other.system in text
-    for system, *_ in performance.SYSTEMS:
-        assert system in text
+    for system in performance.SYSTEMS:
+        assert system.name in text
     targets = results.Configuration("ambrosch2007", stale_is_none=True).targets
     assert not targets or f"{targets['cyclonev']['aluts']:,}" in text
     own = results.Configuration("tiny", stale_is_none=True).targets

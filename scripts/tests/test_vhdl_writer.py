@@ -5,9 +5,9 @@ import re
 
 import pytest
 
+from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.base.ghdl import to_verilog
-from flow.base.tools import GENERATED_RTL
 from flow.cosim import vectors
 from flow.cosim.simulators import Ghdl
 from flow.synthesis.lowering import expressions as n, netlist
@@ -15,10 +15,12 @@ from flow.synthesis.lowering.cleanup import remove_unused
 from flow.synthesis.lowering.evaluate import compile_step, initial_state
 from flow.synthesis.lowering.ranges import narrow_registers
 from flow.synthesis.lowering.reset import control_registers, split_hold
-from flow.synthesis.lowering.vhdl_writer import VhdlWriter
+from flow.synthesis.lowering.vhdl_writer import Entity, VhdlWriter
 
 INPUTS = {"left_pixel": 8, "right_pixel": 8, "start_of_frame": 1, "valid": 1}
 CLOCKS = 300
+GENERICS = dict.fromkeys(rtl.GENERICS, 1) | {"pixels_per_clock": 1, "disparity_bits": 8}
+ENTITY = Entity(rtl.core_entity("test"), GENERICS)
 
 
 def random_netlist(rng, registers=40):
@@ -120,20 +122,20 @@ def test_random_netlists_run_alike_in_ghdl_and_python(ghdl, rng, tmp_path, part)
 
 def assert_alike(design, rng, tmp_path):
     """GHDL and Python on the same stimulus; and GHDL's synthesis takes the VHDL, too."""
-    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- netlist of a test").write())
+    (tmp_path / "core.vhd").write_text(VhdlWriter(design, "-- netlist of a test", ENTITY).write())
     stimulus = [{name: rng.randrange(1 << w) for name, w in INPUTS.items()} for _ in range(CLOCKS)]
     lines = [
         f"{s['valid'] | s['start_of_frame'] << 1:x} {s['left_pixel']:02x} {s['right_pixel']:02x}" for s in stimulus
     ]
     (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
-    simulator = Ghdl([tmp_path / "stereo_core.vhd"], tmp_path / "sim")
+    simulator = Ghdl("test", [tmp_path / "core.vhd"], tmp_path / "sim")
     simulator.build()
     simulator.run(tmp_path / "stimulus.txt", tmp_path / "observed.txt", lambda clock: None, 60)
     observed, clocks = vectors.read_observed(tmp_path / "observed.txt")
     assert clocks == CLOCKS
     for expected, got in zip(run_in_python(design, stimulus), observed, strict=True):
         assert got == expected
-    assert "module stereo_core" in to_verilog([tmp_path / "stereo_core.vhd"], tmp_path)
+    assert f"module {ENTITY.name}" in to_verilog([tmp_path / "core.vhd"], tmp_path, ENTITY.name)
 
 
 def test_only_a_sum_of_terms_that_share_no_bit_becomes_a_concatenation(ghdl, rng, tmp_path):
@@ -228,7 +230,7 @@ def test_reset_reaches_flags_through_a_memory():
 
 
 def test_memories_become_the_cell():
-    text = VhdlWriter(memory_design(), "-- memory").write()
+    text = VhdlWriter(memory_design(), "-- memory", ENTITY).write()
     assert re.search(r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8\)", text)
     assert "m_word <=" not in text, "the cell's read register takes its place"
 
@@ -237,7 +239,7 @@ def test_a_memory_that_is_read_without_a_register_is_refused():
     design = memory_design()
     design.outputs["disparity"] = design.memories[0].data
     with pytest.raises(FlowError, match="read data of memory m_memory"):
-        VhdlWriter(design, "")
+        VhdlWriter(design, "", ENTITY)
 
 
 def test_an_operation_without_vhdl_is_refused():
@@ -247,7 +249,7 @@ def test_an_operation_without_vhdl_is_refused():
     )
     design.inputs["right_pixel"] = n.leaf("input", "right_pixel", 8)
     with pytest.raises(FlowError, match="no VHDL for an arithmetic right shift"):
-        VhdlWriter(design, "").write()
+        VhdlWriter(design, "", ENTITY).write()
 
 
 @pytest.mark.parametrize("constant", [0x10, 0x11, 0x70, 0x90, 0xF0])
@@ -260,13 +262,11 @@ def test_constants_in_a_concatenation_keep_their_place(ghdl, tmp_path, constant)
     bits = n.add(ones, n.shift_left(n.wrap(pixel, 1), 1), n.shift_left(n.wrap(n.shift_right(pixel, 1), 1), 3))
     assert n.disjoint_ones(bits.args) is not None
     design.memories[0].write_data = bits
-    (tmp_path / "stereo_core.vhd").write_text(VhdlWriter(design, "-- constants").write())
+    (tmp_path / "core.vhd").write_text(VhdlWriter(design, "-- constants", ENTITY).write())
     stimulus = [{"left_pixel": k % 4, "right_pixel": 0, "start_of_frame": 0, "valid": 1} for k in range(40)]
     lines = [f"1 {s['left_pixel']:02x} 00" for s in stimulus]
     (tmp_path / "stimulus.txt").write_text("\n".join(["header", *lines]) + "\n")
-    simulator = Ghdl(
-        [*sorted((GENERATED_RTL / "tiny").glob("line_memory.vhd")), tmp_path / "stereo_core.vhd"], tmp_path / "sim"
-    )
+    simulator = Ghdl("test", [rtl.MEMORY_CELL, tmp_path / "core.vhd"], tmp_path / "sim")
     simulator.build()
     simulator.run(tmp_path / "stimulus.txt", tmp_path / "observed.txt", lambda clock: None, 60)
     observed, _ = vectors.read_observed(tmp_path / "observed.txt")

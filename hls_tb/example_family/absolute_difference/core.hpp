@@ -83,9 +83,9 @@ struct Core {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit.block("place", place);
-      visit("in_difference", difference);
-      visit("in_starts", starts);
-      visit("in_valid", valid);
+      visit("input_difference", difference);
+      visit("input_starts", starts);
+      visit("input_valid", valid);
       visit("map_magnitude", magnitude);
       visit("map_inside", inside);
       visit("map_start_of_frame", start_of_frame);

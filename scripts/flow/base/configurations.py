@@ -2,7 +2,7 @@
 """The table of named configurations, as the C++ has it (hls/FAMILY/configurations.hpp)."""
 
 import json
-from typing import TypedDict, cast
+from typing import Any, TypedDict, cast
 
 from .errors import EXIT_TOOL_FAILED, FlowError
 from .tools import find_stereo_hls, run
@@ -47,6 +47,11 @@ def parameters_of(row: Configuration) -> Parameters:
     """What decides the hardware."""
     kept = {key: value for key, value in row.items() if key not in _ABOUT}
     return cast(Parameters, kept)
+
+
+def option(parameters: Parameters, name: str) -> Any:
+    """One of the family's options, which the types above do not know; None when the family has no such option."""
+    return cast(dict[str, Any], parameters).get(name)
 
 
 def configurations() -> dict[str, Configuration]:

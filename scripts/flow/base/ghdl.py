@@ -28,7 +28,7 @@ def options_of(generics: Generics | None) -> list[str]:
     return [f"-g{name}={value}" for name, value in (generics or {}).items()]
 
 
-def to_verilog(files: Iterable[Path], work: Path, top: str = "stereo_core", generics: Generics | None = None) -> str:
+def to_verilog(files: Iterable[Path], work: Path, top: str, generics: Generics | None = None) -> str:
     """The design as Verilog text, by `ghdl --synth`."""
     folder = work / "synth"
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python packages that no Debian package brings, in virtual environments of the project's own under build/."""
 
+import fcntl
 import os
 import sys
 from pathlib import Path
@@ -16,17 +17,20 @@ def ensure(name: str, requirements: Path, what: str, say: Say = print) -> Path:
     yet. `what`: the package in the words of the message."""
     folder, wanted = ROOT / "build" / name, requirements.read_text()
     stamp = folder / "requirements.txt"
-    if not (os.access(folder / "bin" / "python3", os.X_OK) and stamp.is_file() and stamp.read_text() == wanted):
-        say(f"installing {what} from PyPI into {folder.relative_to(ROOT)} ...")
-        _install(folder, requirements, what)
-        stamp.write_text(wanted)
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    # Tests run side by side: the second one waits until the first has installed it.
+    with folder.with_suffix(".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (os.access(folder / "bin" / "python3", os.X_OK) and stamp.is_file() and stamp.read_text() == wanted):
+            say(f"installing {what} from PyPI into {folder.relative_to(ROOT)} ...")
+            _install(folder, requirements, what)
+            stamp.write_text(wanted)
     return folder / "bin"
 
 
 def _install(folder: Path, requirements: Path, what: str) -> None:
     python = PYTHON if os.access(PYTHON, os.X_OK) else sys.executable
     log = folder.parent / f"{folder.name}.log"
-    folder.parent.mkdir(parents=True, exist_ok=True)
     try:
         run([python, "-m", "venv", "--system-site-packages", folder], log=log)
     except FlowError:

@@ -3,7 +3,7 @@
 
 from typing import TypedDict
 
-from ..base.configurations import Parameters
+from ..base.configurations import Parameters, option
 from ..rendering import page, pictures
 from ..rendering.pictures import Array, LegendEntry, Picture
 from .vectors import Expected, Observed
@@ -113,7 +113,7 @@ class FrameMaps:
         self, title: str, values: Array, valid: Array, caption: str, mark: tuple[float, float] | None
     ) -> Picture:
         numpy, _ = pictures.libraries()
-        steps, low = (16 if self.bits == 16 else 1), self.parameters["min_disparity"]
+        steps, low = (16 if self.bits == 16 else 1), option(self.parameters, "min_disparity") or 0
         high = low + self.parameters["disparities"] - 1
         colors = pictures.disparity_colors(low + values / steps, low, high)
         colors[~valid] = pictures.rgb(pictures.REJECTED)

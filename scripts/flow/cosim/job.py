@@ -12,7 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from ..base.configurations import Parameters, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
-from ..base.tools import GENERATED_RTL, ROOT, Word, find_stereo_hls, run
+from ..base.tools import ROOT, Word, find_stereo_hls, run
 from ..synthesis import manifest
 from ..synthesis.bambu import original_files
 from . import checker, mismatch, vectors
@@ -34,7 +34,7 @@ class Job:
     seed: int = 1
     fit: str = "none"
     simulator: str = "ghdl"
-    rtl: Path | None = None  # default: generated_rtl/CONFIG
+    rtl: Path | None = None  # default: generated_rtl/FAMILY/CONFIG
     out: Path | None = None  # default: build/cosim/CONFIG-SIMULATOR
     wave: Path | None = None
     watchdog_seconds: float = 300.0
@@ -173,7 +173,7 @@ def _check_wave(job: Job) -> None:
 def _vhdl_files(job: Job) -> list[Path]:
     if job.simulator == "original":
         return original_files(job.config)
-    return manifest.vhdl_files(job.rtl or GENERATED_RTL / job.config)
+    return manifest.vhdl_files(job.rtl) if job.rtl else manifest.core_files(job.config)
 
 
 def _empty_folder(job: Job) -> Path:
@@ -191,7 +191,7 @@ def _empty_folder(job: Job) -> Path:
 def _simulator(job: Job, files: list[Path], parameters: Parameters) -> Simulator:
     folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits = parameters["pixels_per_clock"], parameters["disparity_bits"]
-    return SIMULATORS[job.simulator](files, folder, lanes, bits, trace=job.wave is not None)
+    return SIMULATORS[job.simulator](job.config, files, folder, lanes, bits, trace=job.wave is not None)
 
 
 def _simulate(job: Job, simulator: Simulator, stimulus: Path, observed: Path, clocks: int) -> float:
@@ -231,7 +231,7 @@ def _explain(job: Job, parameters: Parameters, simulator: Simulator, first: chec
         source = simulator
         if not isinstance(simulator, Ghdl):
             folder = SIMULATIONS / f"{job.config}-ghdl"
-            source = Ghdl(simulator.vhdl_files, folder, simulator.pixels, simulator.disparity_bits)
+            source = Ghdl(job.config, simulator.vhdl_files, folder, simulator.pixels, simulator.disparity_bits)
             source.build()
         _rerun(job, source, path, window)
 

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
-from .errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
-from .tools import ROOT, find_native, find_tool, run
+from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, Word, find_native, find_tool, run
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,9 @@ def new_seed() -> int:
     return secrets.randbelow(1 << 31)
 
 
-def source_folder(family: str) -> Path:
-    """The folder of the family's core, beside hls/."""
-    for folder in (ROOT / "hls", *sorted((ROOT / "hls_tb").glob("*"))):
+def source_folder(family: str, checkout: Path = ROOT) -> Path:
+    """The folder of the family's core: hls/, or one of hls_tb/."""
+    for folder in (checkout / "hls", *sorted((checkout / "hls_tb").glob("*"))):
         if (folder / family / "family.hpp").is_file():
             return folder
     raise FlowError(f"there is no family '{family}'")
@@ -41,35 +41,68 @@ def source_folder(family: str) -> Path:
 
 def draw(family: str, count: int, seed: int) -> list[Core]:
     text = run([find_native("random_cores/random_rows"), family, seed, count])
-    return [Core(re.match(r"STEREO_ROW\((\w+),", row).group(1), row) for row in text.splitlines()]
+    return [core_of(row) for row in text.splitlines()]
 
 
-def build(core: Core, family: str, folder: Path) -> Path:
-    """The module of one core."""
-    rows, module = folder / f"{core.name}.hpp", folder / f"{core.name}.so"
-    rows.write_text(core.row + "\n")
-    run([find_tool("c++", "CXX", "on Debian: apt-get install g++"), "-std=c++20", "-O1", "-fPIC", "-shared",
-         *(f"-I{path}" for path in (source_folder(family), ROOT / "hls", ROOT / "hls_tb")),
-         f"-DSTEREO_FAMILY={family}", f"-DSTEREO_CONFIGURATION={core.name}", f'-DSTEREO_ROWS="{rows}"',
-         *(ROOT / "hls_tb" / "engines" / "clocked" / name for name in ("core_module.cpp", "register_list.cpp")), "-o", module])
-    return module
+def core_of(row: str) -> Core:
+    """`row`: as in a family's configurations.hpp."""
+    name = re.match(r"STEREO_ROW\((\w+),", row)
+    if name is None:
+        raise FlowError(f"'{row}' is no row of a configuration, STEREO_ROW(name, use, base, what differs);")
+    return Core(name[1], row)
 
 
-def check(core: Core, family: str, seed: int, folder: Path) -> Core:
-    module = build(core, family, folder)
-    result = subprocess.run([find_native("random_cores/check_cores"), str(seed), str(module)], capture_output=True, text=True)
-    module.unlink()
-    if result.returncode not in (EXIT_OK, EXIT_MISMATCH) or not result.stdout.startswith(f"{core.name}: "):
-        raise FlowError(f"check_cores broke off on {core.row}: exit code {result.returncode} {result.stderr.strip()}", EXIT_TOOL_FAILED)
-    return Core(core.name, core.row, result.stdout.removeprefix(f"{core.name}: ").strip())
+class Checker:
+    """Builds and checks cores of one family. `checkout`: the folder with hls/ and hls_tb/."""
+
+    def __init__(self, family: str, seed: int, folder: Path, checkout: Path = ROOT) -> None:
+        self.family, self.seed, self.folder, self.checkout = family, seed, folder, checkout
+        self.program = find_native("random_cores/check_cores")
+        self.interface = run([self.program, "--interface"]).strip()
+
+    def build(self, core: Core) -> Path:
+        """The module of one core."""
+        rows, module = self.folder / f"{core.name}.hpp", self.folder / f"{core.name}.so"
+        rows.write_text(core.row + "\n")
+        folders = (source_folder(self.family, self.checkout), self.checkout / "hls", self.checkout / "hls_tb")
+        clocked = self.checkout / "hls_tb" / "engines" / "clocked"
+        macros = {
+            "FAMILY": self.family,
+            "CONFIGURATION": core.name,
+            "ROWS": f'"{rows}"',
+            "CORE_INTERFACE": f'"{self.interface}"',
+        }
+        command: list[Word] = [find_tool("c++", "CXX", "on Debian: apt-get install g++"), "-std=c++20", "-O1"]
+        command += ["-fPIC", "-shared", *(f"-I{path}" for path in folders)]
+        command += [f"-DSTEREO_{name}={value}" for name, value in macros.items()]
+        run([*command, clocked / "core_module.cpp", clocked / "register_list.cpp", "-o", module])
+        return module
+
+    def check(self, core: Core) -> Core:
+        module = self.build(core)
+        result = subprocess.run([self.program, str(self.seed), str(module)], capture_output=True, text=True)
+        module.unlink()
+        if result.returncode not in (EXIT_OK, EXIT_MISMATCH) or not result.stdout.startswith(f"{core.name}: "):
+            raise FlowError(
+                f"check_cores broke off on {core.row}: exit code {result.returncode} {result.stderr.strip()}",
+                EXIT_TOOL_FAILED,
+            )
+        return Core(core.name, core.row, result.stdout.removeprefix(f"{core.name}: ").strip())
 
 
 def run_all(cores: list[Core], family: str, seed: int, jobs: int) -> list[Core]:
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        TimeRemainingColumn(),
+    )
     checked = []
     with tempfile.TemporaryDirectory() as folder, Progress(*columns) as bar, ThreadPoolExecutor(jobs) as pool:
         task = bar.add_task("cores", total=len(cores))
-        for core in pool.map(lambda core: check(core, family, seed, Path(folder)), cores):
+        checker = Checker(family, seed, Path(folder))
+        for core in pool.map(checker.check, cores):
             checked.append(core)
             bar.advance(task)
             if not core.exact:
@@ -77,13 +110,17 @@ def run_all(cores: list[Core], family: str, seed: int, jobs: int) -> list[Core]:
     return checked
 
 
-def run_family(family: str, count: int, seed: int, jobs: int) -> int:
+def run_family(family: str, cores: list[Core], seed: int, jobs: int) -> int:
     """Returns the exit code."""
-    print(f"{count} configurations of {family}, seed {seed}", flush=True)
-    checked = run_all(draw(family, count, seed), family, seed, jobs)
+    print(f"{len(cores)} configurations of {family}, seed {seed}", flush=True)
+    checked = run_all(cores, family, seed, jobs)
     maps = sum(int(core.verdict.split()[1]) for core in checked if core.exact)
     wrong = [core for core in checked if not core.exact]
-    print(f"{len(checked) - len(wrong)} of {count} configurations exact in {maps} maps")
+    print(f"{len(checked) - len(wrong)} of {len(checked)} configurations exact in {maps} maps")
     if wrong:
-        raise FlowError(f"{len(wrong)} of {count} cores differ from the definition; again with --family {family} --count {count} --seed {seed}", EXIT_MISMATCH)
+        raise FlowError(
+            f"{len(wrong)} of {len(checked)} cores differ from the definition; "
+            f"again with --family {family} --count {len(checked)} --seed {seed}",
+            EXIT_MISMATCH,
+        )
     return EXIT_OK

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/NAME/cosimulation.json: what the co-simulations of that VHDL gave, for the pages."""
+"""generated_rtl/FAMILY/NAME/cosimulation.json: what the co-simulations of that VHDL gave, for the pages."""
 
 import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TypedDict, get_type_hints
 
-from ..base import files, json_files
-from ..base.tools import GENERATED_RTL
+from ..base import files, json_files, rtl
 from ..synthesis import manifest
 from .report import Report
 
 FILE = "cosimulation.json"
-FORMAT = "stereo-hls cosimulation 1"
+FORMAT = "stereo-hls cosimulation 2"
 
 
 class Run(TypedDict):
@@ -32,11 +31,11 @@ _KEPT = get_type_hints(Run)
 
 def keep(report: Report) -> None:
     """Adds a report of job.run_job; the last one of each simulator stays."""
-    directory = GENERATED_RTL / report["config"]
+    directory = rtl.folder(report["config"])
     entry = manifest.read(directory)
     runs: dict[str, Mapping[str, object]] = {**read(directory, entry)}
     runs[report["simulator"]] = {key: value for key, value in report.items() if key in _KEPT}
-    content = {"format": FORMAT, "configuration": report["config"], "vhdl_digest": entry["files"], "runs": runs}
+    content = {"format": FORMAT, "configuration": report["config"], "design": manifest.design(entry), "runs": runs}
     files.write(directory / FILE, json.dumps(content, indent=2, sort_keys=True) + "\n")
 
 
@@ -50,7 +49,7 @@ def read(directory: Path, entry: manifest.Manifest) -> dict[str, Run]:
     runs = content.get("runs")
     if not isinstance(runs, dict) or not all(_is_run(run) for run in runs.values()):
         raise json_files.damaged(path, FORMAT)
-    return runs if content.get("vhdl_digest") == entry["files"] else {}
+    return runs if content.get("design") == manifest.design(entry) else {}
 
 
 def _is_run(run: object) -> bool:

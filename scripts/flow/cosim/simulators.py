@@ -8,7 +8,7 @@ import threading
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from ..base import ghdl
+from ..base import ghdl, rtl
 from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress
 from . import vcd, waveform
 
@@ -24,8 +24,15 @@ class Simulator:
     wave_suffixes: tuple[str, ...] = ()
 
     def __init__(
-        self, vhdl_files: Iterable[Path], work: Path, pixels: int = 1, disparity_bits: int = 8, trace: bool = False
+        self,
+        config: str,
+        vhdl_files: Iterable[Path],
+        work: Path,
+        pixels: int = 1,
+        disparity_bits: int = 8,
+        trace: bool = False,
     ) -> None:
+        self.config = config
         self.pixels = pixels  # pairs a clock
         self.disparity_bits = disparity_bits  # of one pixel
         self.vhdl_files = list(vhdl_files)
@@ -40,7 +47,8 @@ class Simulator:
 
     def build(self) -> None:
         makers = [Path(__file__), Path(ghdl.__file__)]
-        build_once(self.work, [*self.vhdl_files, *self._bench_files(), *makers], self.trace, self._build)
+        options = (self.config, self.trace)
+        build_once(self.work, [*self.vhdl_files, *self._bench_files(), *makers], options, self._build)
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         raise NotImplementedError
@@ -90,7 +98,15 @@ class Ghdl(Simulator):
         return [BENCH / "tb_stereo_core.vhd"]
 
     def _build(self) -> None:
-        self._elaborate([*self.vhdl_files, *self._bench_files()])
+        self._elaborate([*self.vhdl_files, *self._named(self._bench_files())])
+
+    def _named(self, templates: Iterable[Path]) -> list[Path]:
+        """The benches for this configuration's core."""
+        copies = []
+        for path in templates:
+            copies.append(self.work / path.name)
+            copies[-1].write_text(path.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config)))
+        return copies
 
     def _elaborate(self, files: Iterable[Path]) -> None:
         ghdl.analyse(files, self.work)
@@ -175,7 +191,7 @@ class Original(Ghdl):
             sources.append(copy)
         log = self.work / "library.log"
         run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=self.work, log=log)
-        self._elaborate(self._bench_files()[1:])
+        self._elaborate(self._named(self._bench_files()[1:]))
 
 
 class Verilator(Simulator):
@@ -189,7 +205,7 @@ class Verilator(Simulator):
 
     def _build(self) -> None:
         options = ["--trace-fst"] if self.trace else []
-        verilate(self.work, self.vhdl_files, "stereo_core", self._bench_files(), options=options)
+        verilate(self.work, self.vhdl_files, rtl.core_entity(self.config), self._bench_files(), options)
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         dump: list[Word] = [] if wave is None else [wave, *wave_clocks]
@@ -201,15 +217,25 @@ def verilate(
     vhdl_files: Iterable[Path],
     top: str,
     bench_files: Iterable[Path],
-    generics: ghdl.Generics | None = None,
     options: Sequence[str] = (),
 ) -> None:
-    """Compiles a design and its C++ bench to the program verilated_bench(work)."""
+    """Compiles a design and its C++ bench, which knows it as Vdesign, to the program verilated_bench(work)."""
     verilator = find_verilator()
     source = work / f"{top}.v"
-    source.write_text(ghdl.to_verilog(vhdl_files, work, top, generics))
+    source.write_text(ghdl.to_verilog(vhdl_files, work, top))
     command: list[Word] = [verilator, *VERILATOR_OPTIONS, "-j", os.cpu_count() or 1, *options, "-CFLAGS", "-O2"]
-    command += ["--top-module", top, "--Mdir", work / "model", "-o", "bench", source, *bench_files]
+    command += [
+        "--top-module",
+        top,
+        "--prefix",
+        "Vdesign",
+        "--Mdir",
+        work / "model",
+        "-o",
+        "bench",
+        source,
+        *bench_files,
+    ]
     run(command, cwd=work, log=work / "verilator.log")
 
 

@@ -3,13 +3,14 @@
 implementation.json."""
 
 import json
+import re
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from ..base import ghdl
+from ..base import ghdl, rtl
 from ..base.configurations import Parameters
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.tools import ROOT
@@ -22,7 +23,7 @@ WORK = ROOT / "build" / "implementation"
 @dataclass(frozen=True)
 class Job:
     config: str
-    rtl: Path  # folder with manifest.json and VHDL
+    vhdl: Path  # folder with manifest.json and VHDL
     out: Path  # folder for implementation.json
     targets: list[str]
     seeds: list[int]
@@ -50,7 +51,8 @@ def implement_target(
         progress.update(task, description=f"{job.config} {target.name}: {name}", completed=done)
 
     stage("ghdl --synth", 0)
-    verilog = ghdl.to_verilog(vhdl, work)
+    entity = rtl.core_entity(job.config)
+    verilog = re.sub(rf"\bmodule {entity}\b", f"module {yosys.TOP}", ghdl.to_verilog(vhdl, work, entity))
     stage("yosys", 1)
     area, lost = yosys.synthesize(target, verilog, work)
     tools = {"ghdl": ghdl.version(), "yosys": yosys.version()}
@@ -69,7 +71,7 @@ def implement_target(
 
 def run_job(job: Job) -> int:
     """Implements one configuration on its targets. Returns the exit code."""
-    vhdl, entry = manifest.vhdl_files(job.rtl), manifest.read(job.rtl)
+    vhdl, entry = manifest.vhdl_files(job.vhdl), manifest.read(job.vhdl)
     check_writable(job.out)
     all_lost = []
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())

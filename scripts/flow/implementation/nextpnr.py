@@ -12,6 +12,7 @@ from ..base import venv
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say, Word, find_tool, run
 from .record import CriticalPath, Routed
+from .yosys import TOP
 
 REQUIREMENTS = ROOT / "scripts" / "requirements.txt"
 FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
@@ -85,7 +86,7 @@ def register_names(verilog: str, netlist: dict[str, Any]) -> dict[str, str]:
     yosys names a flip-flop after any wire that it drives, so the way back goes over its output: ghdl's Verilog says
     `assign NAME = n123_q` for each register of the VHDL, and the netlist still knows the bits of both wires.
     """
-    module = netlist["modules"]["stereo_core"]
+    module = netlist["modules"][TOP]
     owner: dict[int | str, str] = {}
     for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE):
         for wire in (name, register):

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/NAME/implementation.json: area and clock of that VHDL on each FPGA family."""
+"""generated_rtl/FAMILY/NAME/implementation.json: area and clock of that VHDL on each FPGA family."""
 
 import json
 from pathlib import Path
 from typing import NotRequired, TypedDict, cast
 
 from ..base import files, json_files
-from ..synthesis.manifest import Digests, Manifest
+from ..synthesis.manifest import Digests, Manifest, design
 
-FORMAT = "stereo-hls implementation 1"
+FORMAT = "stereo-hls implementation 2"
 FILE = "implementation.json"
 
 
@@ -57,7 +57,7 @@ class Result(Area):
 class Record(TypedDict):
     format: str
     configuration: str
-    vhdl_digest: Digests
+    design: Digests
     targets: dict[str, Result]
 
 
@@ -67,14 +67,14 @@ def read(directory: Path) -> Record | None:
     content = json_files.load_result(path, FORMAT)
     if content is None:
         return None
-    if not all(isinstance(content.get(key), dict) for key in ("targets", "vhdl_digest")):
+    if not all(isinstance(content.get(key), dict) for key in ("targets", "design")):
         raise json_files.damaged(path, FORMAT)
     return cast(Record, content)
 
 
 def is_fresh(record: Record, entry: Manifest) -> bool:
     """Whether a record was made from the VHDL that the manifest `entry` describes."""
-    return record["vhdl_digest"] == entry["files"]
+    return record["design"] == design(entry)
 
 
 def merge(out: Path, entry: Manifest, target: str, result: Result) -> None:
@@ -84,7 +84,7 @@ def merge(out: Path, entry: Manifest, target: str, result: Result) -> None:
         record = {
             "format": FORMAT,
             "configuration": entry["configuration"],
-            "vhdl_digest": entry["files"],
+            "design": design(entry),
             "targets": {},
         }
     record["targets"][target] = result

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What generated_rtl/NAME/ says of one configuration: how it was made, its co-simulations, area and clock."""
+"""What generated_rtl/FAMILY/NAME/ says of one configuration: how it was made, its co-simulations, area and clock."""
 
-from ..base.configurations import Size
+from ..base import rtl
+from ..base.configurations import Size, option
 from ..base.errors import EXIT_MISMATCH, FlowError
-from ..base.tools import GENERATED_RTL
+from ..base.tools import ROOT
 from ..cosim import record as cosim_record
 from ..synthesis import manifest
 from . import figures, record
@@ -23,17 +24,19 @@ class Configuration:
 
     def __init__(self, name: str, stale_is_none: bool = False) -> None:
         self.name = name
-        self.manifest = manifest.read(GENERATED_RTL / name)
+        folder = rtl.folder(name)
+        self.manifest = manifest.read(folder)
         self.parameters = self.manifest["parameters"]
-        implemented = record.read(GENERATED_RTL / name)
+        implemented = record.read(folder)
         self.stale = implemented is not None and not record.is_fresh(implemented, self.manifest)
         if self.stale and not stale_is_none:
             raise FlowError(
-                f"generated_rtl/{name}/implementation.json is of other VHDL; run scripts/implement.py --config {name}",
+                f"{folder.relative_to(ROOT)}/implementation.json is of other VHDL; "
+                f"run scripts/implement.py --config {name}",
                 EXIT_MISMATCH,
             )
         self.targets = implemented["targets"] if implemented and not self.stale else {}
-        self.cosimulations = cosim_record.read(GENERATED_RTL / name, self.manifest)
+        self.cosimulations = cosim_record.read(folder, self.manifest)
 
     def has(self, size: Size) -> bool:
         p = self.parameters
@@ -41,8 +44,9 @@ class Configuration:
 
     def size(self) -> str:
         p = self.parameters
-        window = f"{p['window_px']}x{p['window_px']}"
-        return f"{p['width_px']}x{p['height_px']}, D={p['disparities']}, {window}, P={p['pixels_per_clock']}"
+        window = option(p, "window_px")
+        windows = f" {window}x{window}," if window else ""
+        return f"{p['width_px']}x{p['height_px']}, D={p['disparities']},{windows} P={p['pixels_per_clock']}"
 
     def clock(self) -> Clock | None:
         routed = self.targets.get("ecp5")

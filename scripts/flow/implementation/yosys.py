@@ -10,7 +10,7 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import find_yosys, run
 from .record import Area
 
-TOP = "stereo_core"
+TOP = "stereo_core"  # of every configuration: names can move the figures
 # Before each target's own script, which looks at the design module by module and turns `-1 - x` into a carry chain;
 # constants folded first make it an inverter. On `tiny` this took 293 of 1,315 MISTRAL_ALUT_ARITH away; on the
 # other families, with -abc9, it changes next to nothing.

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ..base import ghdl
 from ..base.configurations import configuration
 from ..base.errors import FlowError
-from ..base.tools import GENERATED_RTL, ROOT, Word, find_stereo_hls, run
+from ..base.tools import ROOT, Word, find_stereo_hls, run
 from ..cosim import checker, vectors
 from ..cosim.simulators import Ghdl
 from ..shell import cocotb_runs, formal, pool
@@ -43,7 +43,7 @@ CORE_STAGES = (
 
 
 def core_files() -> list[Path]:
-    return manifest.vhdl_files(GENERATED_RTL / CONFIG)
+    return manifest.core_files(CONFIG)
 
 
 def compiles(files: Iterable[Path], folder: Path) -> bool:
@@ -95,7 +95,7 @@ class Core:
 
     def noticed(self, files: Iterable[Path], folder: Path) -> str:
         lanes, bits = self.parameters["pixels_per_clock"], self.parameters["disparity_bits"]
-        simulator = Ghdl(files, folder / "core", lanes, bits)
+        simulator = Ghdl(CONFIG, files, folder / "core", lanes, bits)
         simulator.build()
         for number, (stimulus, clocks, expected) in enumerate(self.runs):
             observed_path = folder / "observed.txt"
@@ -122,8 +122,8 @@ class Shell:
     def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
         """`core`: the files of CONFIG's core."""
         for number, (config, module, tests, generics, _) in enumerate(self.stages):
-            cores = core if config == CONFIG else manifest.vhdl_files(GENERATED_RTL / config)
-            simulation = cocotb_runs.Ghdl(config, folder / f"shell_{config}", [*cores, *shell], generics)
+            cores = core if config == CONFIG else manifest.core_files(config)
+            simulation = cocotb_runs.Ghdl(config, folder / "shell", [*cores, *shell], generics)
             simulation.build()
             try:
                 results = simulation.run(

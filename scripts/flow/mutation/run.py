@@ -15,7 +15,7 @@ from typing import Any
 
 from ..base import ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import GENERATED_RTL, ROOT, Say
+from ..base.tools import ROOT, Say
 from ..cosim import checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script
 from ..synthesis import manifest
@@ -57,11 +57,11 @@ class EarlierVerdicts:
     def _sources() -> list[Path]:
         """Everything that decides a verdict."""
         modules = (broken, checker, cocotb_runs, contract, formal, ghdl, judges, mutants, pool, script)
-        benches = sorted((ROOT / "hls_tb" / "axi").glob("*.py"))
+        benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
             *core_files(),
             *design.shell_files(),
-            *manifest.vhdl_files(GENERATED_RTL / CONFIG_OF_SHORT_FRAMES),
+            *manifest.core_files(CONFIG_OF_SHORT_FRAMES),
             *(path for path in benches if path.name != "diagrams.py"),
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
             *(Path(str(module.__file__)) for module in (*modules, simulators, vectors)),

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NotRequired, TypedDict, get_args, get_origin, get_type_hints, is_typeddict
 
-from ..base import json_files
+from ..base import json_files, rtl
+from ..base.configurations import option
 from ..base.errors import FlowError
-from ..base.tools import GENERATED_RTL
 from ..cosim.checker import Interval
 from ..cosim.report import Report
 from ..implementation.results import Configuration
@@ -83,7 +83,7 @@ class Demo:
 
     @property
     def is_papers_size(self) -> bool:
-        return self.core.has(PAPER) and self.core.parameters["window_px"] == PAPER_WINDOW_PX
+        return self.core.has(PAPER) and option(self.core.parameters, "window_px") == PAPER_WINDOW_PX
 
 
 def read_demo(folder: Path) -> Demo:
@@ -99,8 +99,7 @@ def read_demo(folder: Path) -> Demo:
         _check(path, match["truth"], Truth)
     cosims = [_read_cosim(folder / name / "report.json", match["config"]) for name in COSIMS]
     core = _read_core(match["config"])
-    p = core.parameters
-    has_checks = p["left_right_threshold"] >= 0 or p["uniqueness_percent"] > 0 or p["texture_threshold"] > 0
+    has_checks = (folder / VALID).is_file()
     for name in (MAP, VALID) if has_checks else (MAP,):
         _check_png(folder / name)
     return Demo(folder, match, cosims, core, has_checks)
@@ -151,7 +150,7 @@ def _read_cosim(path: Path, config: str) -> Report:
 
 def _read_core(config: str) -> Configuration:
     core = Configuration(config, stale_is_none=True)
-    _check(GENERATED_RTL / config / "manifest.json", core.manifest["tool_report"], ToolReport)
+    _check(rtl.folder(config) / "manifest.json", core.manifest["tool_report"], ToolReport)
     return core
 
 

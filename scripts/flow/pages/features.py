@@ -3,12 +3,13 @@
 
 from pathlib import Path
 
+from ..base import rtl
+from ..base.configurations import option
 from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
 from ..implementation import figures
 from ..implementation.record import Result
 from ..implementation.results import Configuration
-from ..synthesis.manifest import known_configurations
 
 PAGE = ROOT / "docs" / "features.md"
 TEXT = Path(__file__).parent / "texts" / "features.md"
@@ -56,7 +57,7 @@ def page() -> str:
 
 
 def _known(name: str) -> bool:
-    return name in known_configurations()
+    return name in rtl.known_configurations()
 
 
 def _routed(name: str) -> Result | None:
@@ -100,9 +101,9 @@ def depths_table() -> str:
         p, result = Configuration(name).parameters, _routed(name)
         rows.append(
             [
-                str(p["cost_clocks"]),
-                str(p["winner_group"]),
-                str(p["slice_disparities"]),
+                str(option(p, "cost_clocks")),
+                str(option(p, "winner_group")),
+                str(option(p, "slice_disparities")),
                 str(p["latency_clocks"]),
                 number(figures.lut_count(result) if result else None),
                 number(result["ffs"] if result else None),

@@ -4,14 +4,14 @@
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from ..base.families import PAPER as PAPER_FAMILY, TINY, family
+from ..base import rtl
 from ..base.markdown import UNKNOWN, code, number, table
 from ..base.tools import ROOT
 from ..cosim.record import Run
 from ..implementation import figures
 from ..implementation.results import Configuration
 from ..implementation.yosys import TARGETS
-from ..synthesis.manifest import known_configurations
+from ..synthesis.manifest import with_use
 from .published import PAPER, PUBLISHED, SYSTEMS
 
 PAGE = ROOT / "docs" / "performance.md"
@@ -21,8 +21,8 @@ Grid = tuple[list[str], list[list[str]]]  # (head, rows)
 
 
 def page() -> str:
-    """The paper's core and its small twins; other families have pages of their own."""
-    shown = [Configuration(name) for name in known_configurations() if family(name) in (PAPER_FAMILY, TINY)]
+    """The paper's core and its small twins; the others have pages of their own."""
+    shown = [Configuration(name) for name in with_use("paper", "tiny")]
     return TEXT.read_text().format(
         per_clock=per_clock_table(shown),
         speed=speed_table(shown),
@@ -149,13 +149,15 @@ def compared(run: Run | None) -> str:
 
 def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
     """The systems that the paper compares itself with, and this core as they were. `make`: configuration of a name."""
-    head = ["system", "point", "its frames a second", "published in", "this core", "clocks a frame"]
+    head = ["system", "platform", "point", "its frames a second", "published in", "this core", "clocks a frame"]
     head += ["register bits", "memory bits", "compared in GHDL", "compared in Verilator", "LUT4", "ALUTs"]
     head.append("frames a second on ECP5")
     rows = []
-    for system, what, published, source, name in SYSTEMS:
-        start = [system, what, number(published), source, code(name) if name else "not done yet"]
-        if name is None or name not in known_configurations():
+    for system in SYSTEMS:
+        name, fps = system.configuration, system.frames_per_second
+        start = [system.name, system.platform, system.point, UNKNOWN if fps is None else f"{fps:g}", system.source]
+        start.append(code(name) if name else "not done yet")
+        if name is None or name not in rtl.known_configurations():
             rows.append([*start, *[UNKNOWN] * 8])
             continue
         c = make(name)

@@ -41,20 +41,40 @@ PUBLISHED = [
     Published("best FPGA row found: SGM 3840x2160x64 at 30 frames a second", "its publication", mde_per_second=15_925),
 ]
 
-_SURVEY = "table 1 of doi 10.1155/2014/945926"
-# (system of the paper's comparison or of ours, point, frames a second where a public source gives them, that source,
-# configuration)
-SYSTEMS: list[tuple[str, str, int | None, str, str | None]] = [
-    ("Niitsuma and Maruyama", "640x480, D=27, 7x7", None, "", "niitsuma_640"),
-    ("Niitsuma and Maruyama", "320x240, D=121, 7x7", None, "", "niitsuma_320"),
-    ("Lee et al.", "320x240, D=64, 16x16", None, "", "lee_320"),
-    ("Miyajima and Maruyama", "640x480, D=200, 7x7", None, "", "miyajima_640"),
-    ("Yi et al.", "270x270, D=34, window not stated: 9x9 here", None, "", "yi_270"),
-    ("Han et al.", "640x480, D=128, window not stated: 9x9 here", None, "", "han_640"),
-    ("DeepSea (Tyzx)", "512x480, D=52, census", 200, _SURVEY, "deepsea_512"),
-    ("OpenCV StereoBM, block 15", "450x375, D=64, checks, subpixel", None, "", "opencv_bm"),
-    ("best trade-off in quality.md", "450x375, D=48, census 9x3, 9x9", None, "", "census_450"),
-    ("Kim et al.: trellis", "320x240, D=128", 30, _SURVEY, None),
-    ("PARTS, Masrani and MacLean: local weighted phase correlation", "640x480, D=36 (Masrani)", 30, _SURVEY, None),
-    ("Masrani and MacLean: dynamic range", "", None, "", None),
+_TABLE, _TEXT = "the paper, table 1", "the paper, section 2"
+_OURS = "a configuration of this project"
+
+
+class System(NamedTuple):
+    """A system of the paper's comparison, or one of ours beside them."""
+
+    name: str
+    point: str  # image, disparities, algorithm, block
+    frames_per_second: float | None  # None where there is nothing to publish
+    source: str
+    configuration: str | None = None  # that is built like it; None: not done yet
+    platform: str = ""
+
+
+SYSTEMS = [
+    System(
+        "the paper's own software",
+        "320x240, D=100, SAD 3x3",
+        1.24,
+        f"{_TABLE}; its text says 391 ms, 2.56",
+        "ambrosch2007",
+        "PC",
+    ),
+    System("Niitsuma et al.", "640x480, D=27, SAD 7x7", 30, _TABLE, "niitsuma_640", "1 FPGA"),
+    System("Niitsuma et al.", "320x240, D=121, SAD 7x7", 840, _TABLE, "niitsuma_320", "1 FPGA and PC"),
+    System("Lee et al.", "320x240, D=64, SAD 16x16", 122, _TABLE, "lee_320", "1 FPGA"),
+    System("Miyajima et al.", "640x480, D=200, SAD 7x7", 18.9, _TABLE, "miyajima_640", "2 FPGAs and PC"),
+    System("Yi et al.", "270x270, D=34, SAD, block not stated: 9x9 here", 30, _TEXT, "yi_270"),
+    System("Han and Hwang", "640x480, D=128, SAD, block not stated: 9x9 here", 60, _TEXT, "han_640"),
+    System("DeepSea", "512x480, D=52, census", 200, _TABLE, "deepsea_512", "ASIC"),
+    System("Kim et al.", "1300x640, D not stated, trellis", 30, _TABLE, None, "2 FPGAs"),
+    System("PARTS", "320x240, D=24, local weighted phase correlation", 42, _TABLE, None, "16 FPGAs"),
+    System("Masrani et al.", "640x480, D dynamic, local weighted phase correlation", 30, _TABLE, None, "4 FPGAs"),
+    System("OpenCV StereoBM, block 15", "450x375, D=64, checks, subpixel", None, _OURS, "opencv_bm"),
+    System("best trade-off in quality.md", "450x375, D=48, census 9x3, 9x9", None, _OURS, "census_450"),
 ]

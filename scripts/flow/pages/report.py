@@ -7,7 +7,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..base.errors import FlowError
-from ..base.families import PAPER as PAPER_FAMILY, family
 from ..base.tools import ROOT, Word
 from ..cosim import mismatch
 from ..implementation import figures
@@ -17,7 +16,7 @@ from ..implementation.yosys import TARGETS
 from ..rendering import page, pictures
 from ..rendering.page import number
 from ..rendering.pictures import Array, Picture
-from ..synthesis.manifest import known_configurations
+from ..synthesis.manifest import with_use
 from . import map_pictures, performance, published
 from .demo_folder import COSIMS, MAP, VALID, Demo, Match, Truth
 
@@ -240,7 +239,7 @@ def comparisons() -> list[performance.Grid]:
     def make(name: str) -> Configuration:
         return Configuration(name, stale_is_none=True)
 
-    papers = [make(name) for name in known_configurations() if family(name) == PAPER_FAMILY]
+    papers = [make(name) for name in with_use("paper")]
     return [performance.comparison(papers), performance.systems(make)]
 
 

@@ -83,7 +83,7 @@ class Choice:
 Row = dict[str, Any]
 
 
-def choices(sweep: Sweep, family: hardware_cost.Family) -> tuple[list[Choice], int]:
+def choices(sweep: Sweep, family: hardware_cost.Study) -> tuple[list[Choice], int]:
     """(choices, how many combinations were left out because no core has them)"""
     found, refused = [], 0
     switch_sets = [
@@ -166,7 +166,7 @@ def rows(
     pairs: Sequence[Pair],
     all_choices: Sequence[Choice],
     methods: Sequence[Sequence[Method]],
-    family: hardware_cost.Family,
+    family: hardware_cost.Study,
     mask: str,
 ) -> list[Row]:
     """One row of numbers for each choice: quality as the mean over the pairs, and cost."""

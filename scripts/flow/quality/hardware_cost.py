@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Look-up tables of a choice of options, from the committed results of the `study` family: each of its configurations
-was synthesised and routed at one size, most with one option beside the plain core.
+"""Look-up tables of a choice of options, from the committed results of the configurations that are there for a `study`:
+each was synthesised and routed at one size, most with one option beside the plain core.
 
   measured  a configuration of the family has exactly these options
   estimate  the plain core and, for each option, what that option alone costs; and for another number of disparities
@@ -10,14 +10,13 @@ was synthesised and routed at one size, most with one option beside the plain co
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from ..base.configurations import Parameters
-from ..base.families import STUDY, family
 from ..implementation import figures
 from ..implementation.record import Area
 from ..implementation.results import Configuration
-from ..synthesis.manifest import known_configurations
+from ..synthesis.manifest import with_use
 
 BASE = "study"
 TARGET = "ecp5"
@@ -77,33 +76,32 @@ class Implemented(Protocol):
 
 def features(parameters: Parameters) -> Features:
     """What costs hardware, by name: thresholds of any value cost the same check."""
-    census: tuple[int, ...] = ()
-    if parameters["cost"] == "census":
-        census = parameters["census_width_px"], parameters["census_height_px"]
+    p: Mapping[str, Any] = parameters
+    census = (p["census_width_px"], p["census_height_px"]) if p["cost"] == "census" else ()
     return {
-        "window": parameters["window_px"],
-        "cost": (parameters["cost"], *census),
-        "prefilter": parameters["prefilter"],
-        "reference": parameters["reference"],
-        "ties": parameters["ties"],
-        "min_disparity": parameters["min_disparity"],
-        "left_right": parameters["left_right_threshold"] >= 0,
-        "uniqueness": parameters["uniqueness_percent"] > 0,
-        "texture": parameters["texture_threshold"] > 0,
-        "subpixel": parameters["subpixel"],
-        "median": parameters["median"],
+        "window": p["window_px"],
+        "cost": (p["cost"], *census),
+        "prefilter": p["prefilter"],
+        "reference": p["reference"],
+        "ties": p["ties"],
+        "min_disparity": p["min_disparity"],
+        "left_right": p["left_right_threshold"] >= 0,
+        "uniqueness": p["uniqueness_percent"] > 0,
+        "texture": p["texture_threshold"] > 0,
+        "subpixel": p["subpixel"],
+        "median": p["median"],
     }
 
 
 _Key = tuple[tuple[str, Feature], ...]
 
 
-class Family:
+class Study:
     """The measured configurations. `known`: others than the committed folders, by name."""
 
     def __init__(self, known: Mapping[str, Implemented] | None = None) -> None:
         if known is None:
-            names = [name for name in known_configurations() if family(name) == STUDY or name in _SCALE_CHECK]
+            names = [*with_use("study"), *_SCALE_CHECK]
             known = {name: Configuration(name, stale_is_none=True) for name in names}
         self._known = known
         self.base = known[BASE]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stereo_ip in GHDL under cocotb."""
+"""A stereo_ip in GHDL under cocotb."""
 
 import dataclasses
 import functools
@@ -10,15 +10,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import ghdl, venv
+from ..base import ghdl, rtl, venv
 from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say, find_ghdl, run, run_with_progress
 from ..cosim import vectors
 from ..cosim.simulators import build_once
-from . import design, pool
+from ..synthesis import manifest
+from . import design, pool, template
 
-TESTS = ROOT / "hls_tb" / "axi"
+TESTS = ROOT / "hls_tb" / "shell"
 REQUIREMENTS = ROOT / "scripts" / "requirements-axi.txt"
 PAIRS = 4  # of images, of each kind of noise one
 
@@ -27,7 +28,7 @@ class Selection(NamedTuple):
     """Which tests run on what."""
 
     config: str
-    module: str  # of hls_tb/axi
+    module: str  # of hls_tb/shell
     tests: tuple[str, ...] | None = None  # None: all
     generics: ghdl.Generics = {}  # that are not those of the configuration
     what: str = ""  # differs
@@ -55,7 +56,8 @@ def environment_folder(say: Say = print) -> Path:
 
 
 class Ghdl:
-    """stereo_ip of one configuration, analysed once in its folder. `generics` replace those of the configuration."""
+    """The stereo_ip of one configuration, analysed once in its folder. `files`: others for the core and the shell;
+    `generics`: of the shell, that are not those of its core; `enabled`: at reset."""
 
     def __init__(
         self,
@@ -67,13 +69,24 @@ class Ghdl:
     ) -> None:
         self.config = config
         self.parameters = configuration(config)
-        self.files = files or design.vhdl_files(config)
-        self.generics: ghdl.Generics = {**design.generics(config), **(generics or {})}
-        self.work = work.resolve()
+        self.entry = manifest.read(rtl.folder(config))
+        self.top = rtl.ip_entity(config)
+        self.files = files or [*manifest.core_files(config), *design.shell_files()]
+        self.generics = dict(generics or {})
+        self.options = {name: self.generics.pop(name) for name in ("enabled_at_reset",) if name in self.generics}
+        names = [f"{name}_{value}" for name, value in self.generics.items()]
+        self.work = work.resolve().joinpath("-".join([config, *names]))
         self.bin = environment_folder(say)
 
     def build(self) -> None:
-        build_once(self.work, self.files, None, lambda: ghdl.analyse(self.files, self.work))
+        text = template.entity(self.config, self.entry, self.generics)
+
+        def analyse() -> None:
+            wrapper = self.work / f"{self.top}.vhd"
+            wrapper.write_text(text)
+            ghdl.analyse([*self.files, wrapper], self.work)
+
+        build_once(self.work, self.files, text, analyse)
 
     def run(
         self,
@@ -85,9 +98,9 @@ class Ghdl:
         pool_folder: Path | None = None,
         stop_at_failure: bool = False,
     ) -> list[Result]:
-        """Runs a module of hls_tb/axi, all its tests or those named; returns the Results. `pool_folder`: a folder that
-        make_pool has filled with PAIRS and the same seed. `stop_at_failure`: the tests after the first failed one fail,
-        too."""
+        """Runs a module of hls_tb/shell, all its tests or those named; returns the Results. `pool_folder`: a folder
+        that make_pool has filled with PAIRS and the same seed. `stop_at_failure`: the tests after the first failed one
+        fail, too."""
         out = out.resolve()
         out.mkdir(parents=True, exist_ok=True)
         self._write_pool(out, pool_folder, seed)
@@ -109,7 +122,7 @@ class Ghdl:
         _, python = library_paths(self.bin)
         return {
             "MODULE": module,
-            "TOPLEVEL": "stereo_ip",
+            "TOPLEVEL": self.top,
             "TOPLEVEL_LANG": "vhdl",
             "COCOTB_RESULTS_FILE": str(results),
             "RANDOM_SEED": str(seed),
@@ -126,8 +139,8 @@ class Ghdl:
     def _command(self, environment: dict[str, str]) -> list[str]:
         interface, _ = library_paths(self.bin)
         variables = [f"{name}={value}" for name, value in environment.items()]
-        options = [*ghdl.options_of(self.generics), f"--vpi={interface}", "--ieee-asserts=disable-at-0"]
-        return ["env", *variables, find_ghdl(), "-r", ghdl.STANDARD, "stereo_ip", *options]
+        options = [*ghdl.options_of(self.options), f"--vpi={interface}", "--ieee-asserts=disable-at-0"]
+        return ["env", *variables, find_ghdl(), "-r", ghdl.STANDARD, self.top, *options]
 
     def _write_pool(self, out: Path, filled: Path | None, seed: int) -> None:
         folder = filled or out / "pool"

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The files and generics of stereo_ip for one configuration."""
+"""The files and generics of a stereo_ip."""
 
+from collections.abc import Iterable
 from pathlib import Path
+from typing import cast
 
-from ..base.configurations import configuration
-from ..base.tools import GENERATED_RTL, ROOT
+from ..base import rtl
 from ..synthesis import manifest
 
-RTL = ROOT / "hls" / "rtl"
+RTL = rtl.HAND_WRITTEN
 # In compile order, after the core's own files.
 SHELL = (
     "stream_register",
@@ -19,31 +20,25 @@ SHELL = (
     "stereo_axis",
     "stereo_register_map",
     "stereo_registers",
-    "stereo_ip",
+    "stereo_shell",
 )
 
 
-def vhdl_files(config: str, shell: Path | None = None) -> list[Path]:
-    """All files in compile order. `shell`: another folder to take those of the shell from."""
-    return manifest.vhdl_files(GENERATED_RTL / config) + shell_files(shell)
+def vhdl_files(config: str) -> list[Path]:
+    """All files in compile order."""
+    return [*manifest.core_files(config), *shell_files(), rtl.folder(config) / f"{rtl.ip_entity(config)}.vhd"]
 
 
 def shell_files(folder: Path | None = None) -> list[Path]:
+    """`folder`: another one than the project's."""
     return [(folder or RTL) / f"{name}.vhd" for name in SHELL]
 
 
-def generics(config: str) -> dict[str, int]:
-    """Those that follow from the configuration, in the order of the entity."""
-    parameters = configuration(config)
-    return {
-        "width_px": parameters["width_px"],
-        "height_px": parameters["height_px"],
-        "disparities": parameters["disparities"],
-        "window_px": parameters["window_px"],
-        "pixels_per_clock": parameters["pixels_per_clock"],
-        "disparity_bits": parameters["disparity_bits"],
-        "output_width_px": parameters["output_width_px"],
-        "latency_clocks": parameters["latency_clocks"],
-        "flush_groups": parameters["flush_groups"],
-        "gap_groups": parameters["gap_groups"],
-    }
+def library_files(configs: Iterable[str]) -> list[Path]:
+    """All files of several configurations in one library, in compile order, each once."""
+    return list(dict.fromkeys(path for config in configs for path in vhdl_files(config)))
+
+
+def generics(entry: manifest.Manifest) -> dict[str, int]:
+    """What a user may state of a core, in the order of its entity."""
+    return {name: cast(dict[str, int], entry["parameters"])[name] for name in rtl.GENERICS}

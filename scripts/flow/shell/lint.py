@@ -8,11 +8,11 @@ import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..base import ghdl
+from ..base import ghdl, rtl
 from ..base.errors import FlowError
-from ..base.tools import GENERATED_RTL, Say, find_ghdl, find_verilator, find_yosys, run
+from ..base.tools import Say, find_ghdl, find_verilator, find_yosys, run
 from ..synthesis import manifest
-from . import design, example
+from . import design, example, template
 
 GHDL_WARNINGS = (
     *("binding", "reserved", "nested-comment", "parenthesis", "delayed-checks", "body", "specs", "universal", "port"),
@@ -55,11 +55,11 @@ def analysis(files: Iterable[Path], work: Path) -> list[str]:
     return [line for line in log.read_text().splitlines() if re.search(r":\d+:\d+:", line)]
 
 
-def netlist(files: Iterable[Path], generics: ghdl.Generics, work: Path) -> list[str]:
+def netlist(files: Iterable[Path], top: str, work: Path) -> list[str]:
     """What shows in the synthesised design only: names that Verilog reserves and two drivers of one signal (Verilator),
     latches and loops (yosys)."""
-    verilog, log = work / "stereo_ip.v", work / "verilator.log"
-    text = ghdl.to_verilog(files, work, "stereo_ip", generics)
+    verilog, log = work / f"{top}.v", work / "verilator.log"
+    text = ghdl.to_verilog(files, work, top)
     verilog.write_text(text)
     # What GHDL writes for a signal that keeps its value outside a clocked process, or has none.
     found = [
@@ -67,15 +67,13 @@ def netlist(files: Iterable[Path], generics: ghdl.Generics, work: Path) -> list[
         for name in re.findall(r"^ *assign (\S+) = \d+'b[xX]+; // \(signal\)$", text, re.MULTILINE)
     ]
     warnings = [f"-Wwarn-{name}" for name in NETLIST_WARNINGS]
-    run([find_verilator(), "--lint-only", "-Wno-fatal", *warnings, "--top-module", "stereo_ip", verilog], log=log)
+    run([find_verilator(), "--lint-only", "-Wno-fatal", *warnings, "--top-module", top, verilog], log=log)
     found += [
         line
         for line in log.read_text().splitlines()
         if re.match(rf"%(Error|Warning-({'|'.join(NETLIST_WARNINGS)}))", line)
     ]
-    script = (
-        f"read_verilog {verilog}; hierarchy -top stereo_ip; proc; flatten; check; select -count t:$dlatch t:$dlatchsr"
-    )
+    script = f"read_verilog {verilog}; hierarchy -top {top}; proc; flatten; check; select -count t:$dlatch t:$dlatchsr"
     run([find_yosys(), "-p", script], log=log.with_name("yosys.log"))
     said = log.with_name("yosys.log").read_text()
     found += re.findall(r"^Warning: (?:found logic loop|multiple conflicting drivers).*$", said, re.MULTILINE)
@@ -84,20 +82,20 @@ def netlist(files: Iterable[Path], generics: ghdl.Generics, work: Path) -> list[
     ]
 
 
-def check(config: str, generics: ghdl.Generics, work: Path, shell: Path | None = None, say: Say = print) -> int:
+def check(config: str, work: Path, shell: Path | None = None, say: Say = print) -> int:
     """All checks of the shell around one configuration's core and of the example, in a folder of their own. Returns the
-    number of findings."""
+    number of findings. `shell`: a folder with another shell."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    memory, written = design.RTL / "line_memory.vhd", design.shell_files(shell)
-    core = [path for path in manifest.vhdl_files(GENERATED_RTL / config) if path.name != memory.name]
+    memory, written = rtl.MEMORY_CELL, [*design.shell_files(shell), template.path(config)]
+    core = [path for path in manifest.core_files(config) if path != memory]
     examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
     found = [sentence for path in (memory, *written, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     ghdl.analyse(core, work, "core.log")
     found += analysis([*written, *examples], work)
     if not found:
-        found += netlist([memory, *core, *written], generics, work)
+        found += netlist([memory, *core, *written], rtl.ip_entity(config), work)
     for sentence in found:
         say(sentence)
     return len(found)

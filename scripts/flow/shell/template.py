@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The instantiation of stereo_ip for one configuration, as VHDL text."""
+"""stereo_ip_NAME: the shell around the core of one configuration, with plain ports, as VHDL text. It stands beside the
+core in generated_rtl/ and follows from the core's manifest: no synthesis tool is needed to make it."""
 
 import re
+from collections.abc import Mapping
+from pathlib import Path
 from typing import NamedTuple
 
+from ..base import files, rtl
 from ..base.tools import ROOT
+from ..synthesis import manifest
 from . import design, registers
+
+Generics = Mapping[str, int | str]
 
 
 class Port(NamedTuple):
@@ -14,16 +21,16 @@ class Port(NamedTuple):
     kind: str
 
 
-def ports() -> list[Port]:
-    """Those of stereo_ip, in order."""
-    text = (design.RTL / "stereo_ip.vhd").read_text()
+def _shell_ports() -> list[Port]:
+    """Those of stereo_shell, in order."""
+    text = (design.RTL / "stereo_shell.vhd").read_text()
     declaration = text[text.index("  port (") : text.index("end entity;")]
     found = re.findall(r"^    (\w+) : (in|out) (.*?);?(?:  --.*)?$", declaration, re.MULTILINE)
     return [Port(*port) for port in found]
 
 
-def plain_ports(values: dict[str, int]) -> list[Port]:
-    """The ports with numbers instead of generics in their types."""
+def ports(values: Mapping[str, int]) -> list[Port]:
+    """Those of a stereo_ip, with numbers instead of generics in their types."""
     numbers = {
         "16 * pixels_per_clock - 1": 16 * values["pixels_per_clock"] - 1,
         "address_bits - 1": registers.address_bits() - 1,
@@ -35,38 +42,76 @@ def plain_ports(values: dict[str, int]) -> list[Port]:
             kind = kind.replace(text, str(number))
         return kind
 
-    return [port._replace(kind=plain(port.kind)) for port in ports()]
+    return [port._replace(kind=plain(port.kind)) for port in _shell_ports() if not port.name.startswith("core_")]
 
 
-def entity(config: str, values: dict[str, int]) -> str:
-    """A wrapper with plain ports and no generics: stereo_ip_CONFIG."""
-    name = f"stereo_ip_{config}"
+def core_id(entry: manifest.Manifest) -> str:
+    """What the register `core` says: the first digits of the digest of the core's VHDL."""
+    return next(iter(entry["files"].values()))[:8]
+
+
+def entity(config: str, entry: manifest.Manifest, of_the_shell: Generics | None = None) -> str:
+    """The text of stereo_ip_CONFIG. `of_the_shell`: generics that are not those of the core, for tests."""
+    values = design.generics(entry)
+    name, outside = rtl.ip_entity(config), ports(values)
+    to_core = [port for port in _shell_ports() if port.name.startswith("core_")]
+    widths = {
+        port.name: rtl.port_type(port, values["pixels_per_clock"], values["disparity_bits"]) for port in rtl.PORTS
+    }
+    shell = {
+        **values,
+        "core_id": f'x"{core_id(entry)}"',
+        "enabled_at_reset": "enabled_at_reset",
+        **(of_the_shell or {}),
+    }
+    inside = {port.name: port.name.removeprefix("core_") for port in to_core}
+    core_ports = {"clock": "aclk"} | {name: name for name in inside.values()}
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
-        f"-- stereo_ip for configuration {config}, with plain ports. "
-        f"Made by scripts/instantiate.py --config {config}. Compile before it:",
-        *(f"--   {path.relative_to(ROOT)}" for path in design.vhdl_files(config)),
+        f"-- The core {rtl.core_entity(config)} between AXI4-Streams: docs/integration.md. Do not edit; made by",
+        f"--   scripts/instantiate.py --config {config}",
         "library ieee;",
         "use ieee.std_logic_1164.all;",
         "",
         f"entity {name} is",
+        "  generic (enabled_at_reset : boolean := true);  -- false: waits for a processor",
         "  port (",
-    ]
-    lines.append(";\n".join(f"    {port.name} : {port.direction} {port.kind}" for port in plain_ports(values)))
-    lines += [
+        ";\n".join(f"    {port.name} : {port.direction} {port.kind}" for port in outside),
         "  );",
         "end entity;",
         "",
-        f"architecture wrapper of {name} is",
+        f"architecture rtl of {name} is",
+        *(f"  signal {name} : {widths.get(name, 'std_logic')};" for name in inside.values()),
         "begin",
-        instance(values, "ip"),
+        instance("shell", "stereo_shell", shell, {**{port.name: port.name for port in outside}, **inside}),
+        "",
+        instance("core", rtl.core_entity(config), values, core_ports),
         "end architecture;",
         "",
     ]
     return "\n".join(lines)
 
 
-def instance(values: dict[str, int], label: str) -> str:
-    generics = ",\n".join(f"      {name} => {value}" for name, value in values.items())
-    connections = ",\n".join(f"      {port.name} => {port.name}" for port in ports())
-    return f"  {label} : entity work.stereo_ip\n    generic map (\n{generics})\n    port map (\n{connections});"
+def instance(label: str, of: str, generics: Generics, connections: Mapping[str, str]) -> str:
+    def listed(pairs: Mapping[str, int | str]) -> str:
+        return ",\n".join(f"      {name} => {value}" for name, value in pairs.items())
+
+    head = f"  {label} : entity work.{of}\n"
+    with_generics = f"    generic map (\n{listed(generics)})\n" if generics else ""
+    return f"{head}{with_generics}    port map (\n{listed(connections)});"
+
+
+def user_instance(config: str, entry: manifest.Manifest) -> str:
+    """An instance of stereo_ip_CONFIG, to be pasted, with the files to compile before it."""
+    names = {port.name: port.name for port in ports(design.generics(entry))}
+    compiled = (f"  -- {path.relative_to(ROOT)}" for path in design.vhdl_files(config))
+    return "\n".join([*compiled, instance("stereo", rtl.ip_entity(config), {}, names), ""])
+
+
+def path(config: str) -> Path:
+    return rtl.folder(config) / f"{rtl.ip_entity(config)}.vhd"
+
+
+def write(config: str) -> None:
+    """Beside the core."""
+    files.write(path(config), entity(config, manifest.read(rtl.folder(config))))

@@ -78,7 +78,7 @@ def record(out: Path) -> dict[str, Recording]:
     """What hls_tb/axi/diagrams.py writes down, by the name of its test."""
     out.mkdir(parents=True, exist_ok=True)
     os.environ["STEREO_AXI_DIAGRAMS"] = str(out)
-    simulation = cocotb_runs.Ghdl("tiny", WORK / "ghdl" / "tiny")
+    simulation = cocotb_runs.Ghdl("tiny", WORK / "ghdl")
     simulation.build()
     results = simulation.run("diagrams", 1, out)
     failed = [result for result in results if not result.passed]

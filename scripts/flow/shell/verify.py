@@ -168,8 +168,7 @@ class Verification:
     def run_cocotb(self, runs: Iterable[Selection]) -> None:
         for number, chosen in enumerate(runs):
             suite = f"ghdl {chosen.config}{', ' + chosen.what if chosen.what else ''}"
-            work = WORK / "ghdl" / chosen.config
-            simulation = cocotb_runs.Ghdl(chosen.config, work, generics=chosen.generics, say=self.say)
+            simulation = cocotb_runs.Ghdl(chosen.config, WORK / "ghdl", generics=chosen.generics, say=self.say)
             simulation.build()
             results = simulation.run(chosen.module, self.seed, self.out / f"cocotb_{number}", chosen.tests)
             for result in results:

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stereo_ip in Verilator: for thousands of frames."""
+"""A stereo_ip in Verilator: for thousands of frames."""
 
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..base import ghdl
+from ..base import ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, run_with_progress
 from ..cosim import simulators, vectors
@@ -14,7 +14,7 @@ from . import design
 from .script import Step, as_text
 
 WATCHDOG_SECONDS = 300  # the bench says every 20,000 clocks that it goes on
-BENCH = ROOT / "hls_tb" / "axi" / "verilator_axi_bench.cpp"
+BENCH = ROOT / "hls_tb" / "shell" / "verilator_axi_bench.cpp"
 
 
 @dataclass
@@ -31,16 +31,16 @@ class Verilated:
     """One configuration, built once in its folder."""
 
     def __init__(self, config: str, work: Path, files: list[Path] | None = None) -> None:
+        self.config = config
         self.files = files or design.vhdl_files(config)
-        self.generics = design.generics(config)
         self.work = work
 
     def build(self) -> None:
         makers = [Path(module) for module in (__file__, simulators.__file__, ghdl.__file__)]
-        simulators.build_once(self.work, [*self.files, BENCH, *makers], self.generics, self._build)
+        simulators.build_once(self.work, [*self.files, BENCH, *makers], None, self._build)
 
     def _build(self) -> None:
-        simulators.verilate(self.work, self.files, "stereo_ip", [BENCH], self.generics)
+        simulators.verilate(self.work, self.files, rtl.ip_entity(self.config), [BENCH])
 
     def play(self, steps: Iterable[Step], seed: int, out: Path) -> Observation:
         out = out.resolve()

@@ -50,10 +50,10 @@ def synthesize(config: str, row: Configuration) -> ToolRun:
     """Synthesises one configuration in an empty working directory, unless the last run there had the same inputs."""
     bambu = find_bambu()
     directory = WORK / config
-    options = [*top_options(config, row), *OPTIONS]
+    options = [*top_options(config, row["family"], row["source_folder"]), *OPTIONS]
     command = shlex.join(["bambu", *options])
     version = tool_version(bambu)
-    inputs = json.dumps([version, command, parameters_of(row), hardware_digests(config, row)], indent=1, sort_keys=True)
+    inputs = json.dumps([version, command, parameters_of(row), hardware_digests(row)], indent=1, sort_keys=True)
     stamp, log = directory / "inputs.json", directory / "bambu.log"
     if not stamp.is_file() or stamp.read_text() != inputs:
         shutil.rmtree(directory, ignore_errors=True)

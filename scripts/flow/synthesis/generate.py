@@ -19,8 +19,8 @@ from .lowering.vhdl_reader import read_design
 from .lowering.vhdl_writer import Entity, VhdlWriter
 from .structure import structure_digest
 
-# Every stored row holds pixels of the frame, and rules at the upper border show: so many rows of groups beyond those that
-# the first output waits for.
+# Every stored row holds pixels of the frame, and rules at the upper border show: so many rows of groups beyond those
+# that the first output waits for.
 TRACE_ROWS = 4
 
 
@@ -43,7 +43,10 @@ def header(config: str, row: Configuration, tool: str) -> str:
 
 def _cpp_trace(config: str, row: Configuration, work: Path) -> Trace:
     """What the registers of the C++ core hold, over as many clocks as tell them apart."""
-    clocks = 2 * row["groups_to_first_output"] + row["latency_clocks"] + TRACE_ROWS * row["width_px"]
+    # The first output is that of a window's centre: as many rows again stand below it. A fifth of the clocks are
+    # bubbles.
+    groups = 2 * row["groups_to_first_output"] + TRACE_ROWS * row["width_px"]
+    clocks = row["latency_clocks"] + groups * 5 // 4
     run([find_stereo_hls(), "trace", "--config", config, "--clocks", clocks, "--out", work], passes_errors=True)
     return read_trace(work / "trace.txt")
 
@@ -88,8 +91,9 @@ def _write(
         result: manifest.Manifest = {
             "format": manifest.FORMAT,
             "configuration": config,
+            "use": row["use"],
             "parameters": parameters_of(row),
-            "sources": manifest.source_digests(config, row),
+            "sources": manifest.source_digests(row),
             "cells": manifest.cell_digests(),
             "files": {file: manifest.digest(temporary / file)},
             "structure": structure_digest(text),

@@ -6,7 +6,7 @@ import hashlib
 import json
 import re
 from collections.abc import Iterable
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import TypedDict
 
@@ -19,6 +19,7 @@ FORMAT = "stereo-hls manifest 2"
 KEYS = {
     "format": str,
     "configuration": str,
+    "use": str,
     "parameters": dict,
     "sources": dict,
     "cells": dict,
@@ -54,6 +55,7 @@ class ToolReport(Estimate):
 class Manifest(TypedDict):
     format: str
     configuration: str
+    use: str  # as in configurations.Configuration
     parameters: Parameters
     sources: Digests  # of all that it was made from
     cells: Digests  # of the hand-written VHDL below it, from the project's root
@@ -72,10 +74,10 @@ def _digests(paths: Iterable[Path]) -> Digests:
     return {path.relative_to(ROOT).as_posix(): digest(path) for path in paths}
 
 
-def top_options(config: str, row: Configuration) -> list[str]:
+def top_options(config: str, family: str, source_folder: str) -> list[str]:
     """What a compiler needs to compile the hardware top, in the project's root."""
-    folders = dict.fromkeys((row["source_folder"], "hls"))
-    macros = {"STEREO_FAMILY": row["family"], "STEREO_CONFIGURATION": config}
+    folders = dict.fromkeys((source_folder, "hls"))
+    macros = {"STEREO_FAMILY": family, "STEREO_CONFIGURATION": config}
     return [
         TOP.relative_to(ROOT).as_posix(),
         "--std=c++20",
@@ -84,30 +86,26 @@ def top_options(config: str, row: Configuration) -> list[str]:
     ]
 
 
-@lru_cache(maxsize=None)
-def _included(folder: str, family: str, config: str) -> tuple[Path, ...]:
-    """The hardware top and all that it includes, as the compiler finds it."""
-    row: Configuration = {"source_folder": folder, "family": family}  # type: ignore[typeddict-item]
+@cache
+def _included(source_folder: str, family: str) -> tuple[Path, ...]:
+    """The hardware top and all that it includes, as the compiler finds it: the same for every row of a family."""
     compiler = find_tool("c++", "CXX", "on Debian: apt-get install g++")
-    rule = run([compiler, *top_options(config, row), "-MM"], cwd=ROOT)
+    rule = run([compiler, *top_options("any", family, source_folder), "-MM"], cwd=ROOT)
     return tuple(sorted(ROOT / name for name in rule.replace("\\\n", " ").split(":", 1)[1].split()))
 
 
-def hardware_digests(config: str, row: Configuration) -> Digests:
+def hardware_digests(row: Configuration) -> Digests:
     """The C++ of the core. The family's table of configurations is left out: a manifest holds the one row that counts,
     so that a new configuration does not make the others stale."""
-    family = row["family"]
-    table = ROOT / row["source_folder"] / family / "configurations.hpp"
-    # Rows differ in values only: one of them stands for all.
-    included = _included(row["source_folder"], family, config)
-    return _digests(path for path in included if path != table)
+    table = ROOT / row["source_folder"] / row["family"] / "configurations.hpp"
+    return _digests(path for path in _included(row["source_folder"], row["family"]) if path != table)
 
 
-def source_digests(config: str, row: Configuration) -> Digests:
+def source_digests(row: Configuration) -> Digests:
     """Every file that decides what the VHDL looks like: the core and the steps that write the VHDL."""
     synthesis = ROOT / "scripts" / "flow" / "synthesis"
     steps = [synthesis / "bambu.py", synthesis / "generate.py", *sorted((synthesis / "lowering").rglob("*.py"))]
-    return hardware_digests(config, row) | _digests([*steps, ROOT / "scripts" / "flow" / "base" / "rtl.py"])
+    return hardware_digests(row) | _digests([*steps, ROOT / "scripts" / "flow" / "base" / "rtl.py"])
 
 
 def cell_digests() -> Digests:
@@ -146,9 +144,9 @@ def _are_digests(entries: dict[str, object]) -> bool:
     return all(re.fullmatch(r"[\w./-]{1,200}", name) and isinstance(value, str) for name, value in entries.items())
 
 
-def digests(entry: Manifest) -> Digests:
-    """Of all VHDL that a core consists of."""
-    return entry["cells"] | entry["files"]
+def design(entry: Manifest) -> Digests:
+    """What area, clock and behaviour depend on: not the names in the VHDL."""
+    return entry["cells"] | {"structure": entry["structure"]}
 
 
 def vhdl_files(directory: Path) -> list[Path]:
@@ -165,6 +163,11 @@ def vhdl_files(directory: Path) -> list[Path]:
         if digest(path) != value:
             raise FlowError(f"{path} differs from its manifest; it was edited by hand, or the manifest is damaged")
     return list(expected)
+
+
+def with_use(*uses: str) -> list[str]:
+    """The configurations of generated_rtl/ that are there for one of these uses."""
+    return [name for name in rtl.known_configurations() if read(rtl.folder(name))["use"] in uses]
 
 
 def core_files(config: str) -> list[Path]:
@@ -184,9 +187,9 @@ def stale_reasons(name: str, row: Configuration) -> list[str]:
             reasons.append(f"{file} is missing")
         elif digest(path) != expected:
             reasons.append(f"{file} was edited")
-    if manifest["parameters"] != parameters_of(row):
+    if manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]:
         reasons.append(f"its row in {row['family']}/configurations.hpp changed")
-    then, now = manifest["sources"] | manifest["cells"], source_digests(name, row) | cell_digests()
+    then, now = manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests()
     for path_text in sorted(set(now) | set(then)):
         if now.get(path_text) != then.get(path_text):
             change = (

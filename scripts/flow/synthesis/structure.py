@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether two cores are the same but for names, comments and the order of their statements.
 
-Each signal and variable is described by its type and by what is assigned to it. In that description, the names of others
-give way to their own descriptions, round after round, until no round tells more of them apart (colour refinement). Ports
-keep their names, so every output hangs on what it hung on before.
+Each signal and variable is described by its type and by what is assigned to it. In that description, the names of
+others give way to their own descriptions, round after round, until no round tells more of them apart (colour
+refinement). Ports keep their names, so every output hangs on what it hung on before.
 """
 
 import hashlib

@@ -27,8 +27,11 @@ def read_trace(path: Path) -> Trace:
         or f"clocks={len(lines) - 2}" not in lines[0].split()
     ):
         raise FlowError(f"{path}: not a complete 'trace' file of format 1", EXIT_TOOL_FAILED)
+    names = lines[1].split()
+    if len(set(names)) != len(names):
+        raise FlowError(f"{path}: two registers or ports have one name", EXIT_TOOL_FAILED)
     rows = [[int(value, 16) for value in line.split()] for line in lines[2:]]
-    return dict(zip(lines[1].split(), zip(*rows)))
+    return dict(zip(names, zip(*rows)))
 
 
 def trace_netlist(netlist: Netlist, trace: Trace) -> list[Values]:

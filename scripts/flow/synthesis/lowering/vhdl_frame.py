@@ -28,7 +28,9 @@ class Entity(NamedTuple):
         for port in rtl.PORTS:
             kind = rtl.port_type(port, self.generics["pixels_per_clock"], self.generics["disparity_bits"])
             end = "" if port is rtl.PORTS[-1] else ";"
-            ports.append(f"    {port.name} : {port.direction} {kind}{end}" + (f"  -- {port.meaning}" if port.meaning else ""))
+            ports.append(
+                f"    {port.name} : {port.direction} {kind}{end}" + (f"  -- {port.meaning}" if port.meaning else "")
+            )
         return "\n".join(ports)
 
 

@@ -1,0 +1,5319 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration ambrosch2007_p2: 320x240, 100 disparities, window 3x3, 2 pixel pairs a clock.
+-- Options: disparities 100.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config ambrosch2007_p2
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_ambrosch2007_p2 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 320;
+    height_px : positive := 240;
+    disparities : positive := 100;
+    pixels_per_clock : positive := 2;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 220;
+    latency_clocks : positive := 19;
+    flush_groups : positive := 320;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(15 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(15 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(1 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 320 report "stereo_core_ambrosch2007_p2: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
+  assert height_px = 240 report "stereo_core_ambrosch2007_p2: height_px is " & integer'image(height_px) & " but this core has 240" severity failure;
+  assert disparities = 100 report "stereo_core_ambrosch2007_p2: disparities is " & integer'image(disparities) & " but this core has 100" severity failure;
+  assert pixels_per_clock = 2 report "stereo_core_ambrosch2007_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
+  assert disparity_bits = 8 report "stereo_core_ambrosch2007_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 220 report "stereo_core_ambrosch2007_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 220" severity failure;
+  assert latency_clocks = 19 report "stereo_core_ambrosch2007_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert flush_groups = 320 report "stereo_core_ambrosch2007_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 320" severity failure;
+  assert gap_groups = 0 report "stereo_core_ambrosch2007_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_ambrosch2007_p2 is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_left_pixel : natural range 0 to 65535;
+  signal in_right_pixel : natural range 0 to 65535;
+  -- raster
+  signal raster_features_search_0, raster_features_search_1 : natural range 0 to 255;
+  signal raster_features_reference : natural range 0 to 65535;
+  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 127;
+  signal delay_ahead_0, delay_ahead_1 : natural range 0 to 255;
+  signal delay_delayed_0 : unsigned(15 downto 0);
+  signal delay_column : natural range 0 to 511;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_3, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest_0, rows_search_rows_ready_newest_1 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_read_newest_1 : natural range 0 to 255;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_ready_newest_1, rows_search_0 : natural range 0 to 255;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_reference_0, rows_reference_1 : natural range 0 to 255;
+  signal rows_reference_2, rows_reference_3 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_3, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_3 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
+  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 255;
+  signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 255;
+  signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 255;
+  signal slice0shift_search_0_15, slice0shift_search_0_16, slice0shift_search_0_17 : natural range 0 to 255;
+  signal slice0shift_search_0_18, slice0shift_search_0_19, slice0shift_search_0_20 : natural range 0 to 255;
+  signal slice0shift_search_0_21, slice0shift_search_0_22, slice0shift_search_0_23 : natural range 0 to 255;
+  signal slice0shift_search_0_24, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 255;
+  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 255;
+  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 255;
+  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 255;
+  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 255;
+  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_search_1_16 : natural range 0 to 255;
+  signal slice0shift_search_1_17, slice0shift_search_1_18, slice0shift_search_1_19 : natural range 0 to 255;
+  signal slice0shift_search_1_20, slice0shift_search_1_21, slice0shift_search_1_22 : natural range 0 to 255;
+  signal slice0shift_search_1_23, slice0shift_search_1_24, slice0shift_search_2_0 : natural range 0 to 255;
+  signal slice0shift_search_2_1, slice0shift_search_2_2, slice0shift_search_2_3 : natural range 0 to 255;
+  signal slice0shift_search_2_4, slice0shift_search_2_5, slice0shift_search_2_6 : natural range 0 to 255;
+  signal slice0shift_search_2_7, slice0shift_search_2_8, slice0shift_search_2_9 : natural range 0 to 255;
+  signal slice0shift_search_2_10, slice0shift_search_2_11, slice0shift_search_2_12 : natural range 0 to 255;
+  signal slice0shift_search_2_13, slice0shift_search_2_14, slice0shift_search_2_15 : natural range 0 to 255;
+  signal slice0shift_search_2_16, slice0shift_search_2_17, slice0shift_search_2_18 : natural range 0 to 255;
+  signal slice0shift_search_2_19, slice0shift_search_2_20, slice0shift_search_2_21 : natural range 0 to 255;
+  signal slice0shift_search_2_22, slice0shift_search_2_23, slice0shift_search_2_24 : natural range 0 to 255;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 255;
+  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 255;
+  signal slice0shift_search_3_6, slice0shift_search_3_7, slice0shift_search_3_8 : natural range 0 to 255;
+  signal slice0shift_search_3_9, slice0shift_search_3_10, slice0shift_search_3_11 : natural range 0 to 255;
+  signal slice0shift_search_3_12, slice0shift_search_3_13, slice0shift_search_3_14 : natural range 0 to 255;
+  signal slice0shift_search_3_15, slice0shift_search_3_16, slice0shift_search_3_17 : natural range 0 to 255;
+  signal slice0shift_search_3_18, slice0shift_search_3_19, slice0shift_search_3_20 : natural range 0 to 255;
+  signal slice0shift_search_3_21, slice0shift_search_3_22, slice0shift_search_3_23 : natural range 0 to 255;
+  signal slice0shift_search_3_24, slice0shift_reference_0, slice0shift_reference_1 : natural range 0 to 255;
+  signal slice0shift_reference_2, slice0shift_reference_3, slice0shift_search_out_0 : natural range 0 to 255;
+  signal slice0shift_search_out_1, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -255 to 255;
+  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : integer range -255 to 255;
+  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : integer range -255 to 255;
+  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : integer range -255 to 255;
+  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : integer range -255 to 255;
+  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_0_20 : integer range -255 to 255;
+  signal slice0cost_difference_0_21, slice0cost_difference_0_22, slice0cost_difference_0_23 : integer range -255 to 255;
+  signal slice0cost_difference_0_24, slice0cost_difference_1_0, slice0cost_difference_1_1 : integer range -255 to 255;
+  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : integer range -255 to 255;
+  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : integer range -255 to 255;
+  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_1_10 : integer range -255 to 255;
+  signal slice0cost_difference_1_11, slice0cost_difference_1_12, slice0cost_difference_1_13 : integer range -255 to 255;
+  signal slice0cost_difference_1_14, slice0cost_difference_1_15, slice0cost_difference_1_16 : integer range -255 to 255;
+  signal slice0cost_difference_1_17, slice0cost_difference_1_18, slice0cost_difference_1_19 : integer range -255 to 255;
+  signal slice0cost_difference_1_20, slice0cost_difference_1_21, slice0cost_difference_1_22 : integer range -255 to 255;
+  signal slice0cost_difference_1_23, slice0cost_difference_1_24, slice0cost_difference_2_0 : integer range -255 to 255;
+  signal slice0cost_difference_2_1, slice0cost_difference_2_2, slice0cost_difference_2_3 : integer range -255 to 255;
+  signal slice0cost_difference_2_4, slice0cost_difference_2_5, slice0cost_difference_2_6 : integer range -255 to 255;
+  signal slice0cost_difference_2_7, slice0cost_difference_2_8, slice0cost_difference_2_9 : integer range -255 to 255;
+  signal slice0cost_difference_2_10, slice0cost_difference_2_11, slice0cost_difference_2_12 : integer range -255 to 255;
+  signal slice0cost_difference_2_13, slice0cost_difference_2_14, slice0cost_difference_2_15 : integer range -255 to 255;
+  signal slice0cost_difference_2_16, slice0cost_difference_2_17, slice0cost_difference_2_18 : integer range -255 to 255;
+  signal slice0cost_difference_2_19, slice0cost_difference_2_20, slice0cost_difference_2_21 : integer range -255 to 255;
+  signal slice0cost_difference_2_22, slice0cost_difference_2_23, slice0cost_difference_2_24 : integer range -255 to 255;
+  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
+  signal slice0cost_difference_3_3, slice0cost_difference_3_4, slice0cost_difference_3_5 : integer range -255 to 255;
+  signal slice0cost_difference_3_6, slice0cost_difference_3_7, slice0cost_difference_3_8 : integer range -255 to 255;
+  signal slice0cost_difference_3_9, slice0cost_difference_3_10, slice0cost_difference_3_11 : integer range -255 to 255;
+  signal slice0cost_difference_3_12, slice0cost_difference_3_13, slice0cost_difference_3_14 : integer range -255 to 255;
+  signal slice0cost_difference_3_15, slice0cost_difference_3_16, slice0cost_difference_3_17 : integer range -255 to 255;
+  signal slice0cost_difference_3_18, slice0cost_difference_3_19, slice0cost_difference_3_20 : integer range -255 to 255;
+  signal slice0cost_difference_3_21, slice0cost_difference_3_22, slice0cost_difference_3_23 : integer range -255 to 255;
+  signal slice0cost_difference_3_24 : integer range -255 to 255;
+  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
+  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
+  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_0_8 : natural range 0 to 255;
+  signal slice0cost_reverse_0_9, slice0cost_reverse_0_10, slice0cost_reverse_0_11 : natural range 0 to 255;
+  signal slice0cost_reverse_0_12, slice0cost_reverse_0_13, slice0cost_reverse_0_14 : natural range 0 to 255;
+  signal slice0cost_reverse_0_15, slice0cost_reverse_0_16, slice0cost_reverse_0_17 : natural range 0 to 255;
+  signal slice0cost_reverse_0_18, slice0cost_reverse_0_19, slice0cost_reverse_0_20 : natural range 0 to 255;
+  signal slice0cost_reverse_0_21, slice0cost_reverse_0_22, slice0cost_reverse_0_23 : natural range 0 to 255;
+  signal slice0cost_reverse_0_24, slice0cost_single_0_0, slice0cost_single_0_1 : natural range 0 to 255;
+  signal slice0cost_single_0_2, slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
+  signal slice0cost_single_0_5, slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
+  signal slice0cost_single_0_8, slice0cost_single_0_9, slice0cost_single_0_10 : natural range 0 to 255;
+  signal slice0cost_single_0_11, slice0cost_single_0_12, slice0cost_single_0_13 : natural range 0 to 255;
+  signal slice0cost_single_0_14, slice0cost_single_0_15, slice0cost_single_0_16 : natural range 0 to 255;
+  signal slice0cost_single_0_17, slice0cost_single_0_18, slice0cost_single_0_19 : natural range 0 to 255;
+  signal slice0cost_single_0_20, slice0cost_single_0_21, slice0cost_single_0_22 : natural range 0 to 255;
+  signal slice0cost_single_0_23, slice0cost_single_0_24, slice0cost_single_3_0 : natural range 0 to 255;
+  signal slice0cost_single_3_1, slice0cost_single_3_2, slice0cost_single_3_3 : natural range 0 to 255;
+  signal slice0cost_single_3_4, slice0cost_single_3_5, slice0cost_single_3_6 : natural range 0 to 255;
+  signal slice0cost_single_3_7, slice0cost_single_3_8, slice0cost_single_3_9 : natural range 0 to 255;
+  signal slice0cost_single_3_10, slice0cost_single_3_11, slice0cost_single_3_12 : natural range 0 to 255;
+  signal slice0cost_single_3_13, slice0cost_single_3_14, slice0cost_single_3_15 : natural range 0 to 255;
+  signal slice0cost_single_3_16, slice0cost_single_3_17, slice0cost_single_3_18 : natural range 0 to 255;
+  signal slice0cost_single_3_19, slice0cost_single_3_20, slice0cost_single_3_21 : natural range 0 to 255;
+  signal slice0cost_single_3_22, slice0cost_single_3_23, slice0cost_single_3_24 : natural range 0 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_0_8, slice0cost_negative_0_9 : boolean;
+  signal slice0cost_negative_0_10, slice0cost_negative_0_11, slice0cost_negative_0_12 : boolean;
+  signal slice0cost_negative_0_13, slice0cost_negative_0_14, slice0cost_negative_0_15 : boolean;
+  signal slice0cost_negative_0_16, slice0cost_negative_0_17, slice0cost_negative_0_18 : boolean;
+  signal slice0cost_negative_0_19, slice0cost_negative_0_20, slice0cost_negative_0_21 : boolean;
+  signal slice0cost_negative_0_22, slice0cost_negative_0_23, slice0cost_negative_0_24 : boolean;
+  signal slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2, slice0cost_negative_3_3 : boolean;
+  signal slice0cost_negative_3_4, slice0cost_negative_3_5, slice0cost_negative_3_6, slice0cost_negative_3_7 : boolean;
+  signal slice0cost_negative_3_8, slice0cost_negative_3_9, slice0cost_negative_3_10, slice0cost_negative_3_11 : boolean;
+  signal slice0cost_negative_3_12, slice0cost_negative_3_13, slice0cost_negative_3_14 : boolean;
+  signal slice0cost_negative_3_15, slice0cost_negative_3_16, slice0cost_negative_3_17 : boolean;
+  signal slice0cost_negative_3_18, slice0cost_negative_3_19, slice0cost_negative_3_20 : boolean;
+  signal slice0cost_negative_3_21, slice0cost_negative_3_22, slice0cost_negative_3_23 : boolean;
+  signal slice0cost_negative_3_24, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
+  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
+  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
+  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
+  signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
+  signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
+  signal slice0cost_pair_0_24 : natural range 0 to 511;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 767;
+  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 767;
+  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 767;
+  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 767;
+  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 767;
+  signal slice0cost_column_0_18, slice0cost_column_0_19, slice0cost_column_0_20 : natural range 0 to 767;
+  signal slice0cost_column_0_21, slice0cost_column_0_22, slice0cost_column_0_23 : natural range 0 to 767;
+  signal slice0cost_column_0_24, slice0cost_column_1_0, slice0cost_column_1_1 : natural range 0 to 767;
+  signal slice0cost_column_1_2, slice0cost_column_1_3, slice0cost_column_1_4 : natural range 0 to 767;
+  signal slice0cost_column_1_5, slice0cost_column_1_6, slice0cost_column_1_7 : natural range 0 to 767;
+  signal slice0cost_column_1_8, slice0cost_column_1_9, slice0cost_column_1_10 : natural range 0 to 767;
+  signal slice0cost_column_1_11, slice0cost_column_1_12, slice0cost_column_1_13 : natural range 0 to 767;
+  signal slice0cost_column_1_14, slice0cost_column_1_15, slice0cost_column_1_16 : natural range 0 to 767;
+  signal slice0cost_column_1_17, slice0cost_column_1_18, slice0cost_column_1_19 : natural range 0 to 767;
+  signal slice0cost_column_1_20, slice0cost_column_1_21, slice0cost_column_1_22 : natural range 0 to 767;
+  signal slice0cost_column_1_23, slice0cost_column_1_24 : natural range 0 to 767;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 767;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 767;
+  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 767;
+  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 767;
+  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 767;
+  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19, slice0window_partial_0_0_20 : natural range 0 to 767;
+  signal slice0window_partial_0_0_21, slice0window_partial_0_0_22, slice0window_partial_0_0_23 : natural range 0 to 767;
+  signal slice0window_partial_0_0_24, slice0window_partial_1_0_0, slice0window_partial_1_0_1 : natural range 0 to 767;
+  signal slice0window_partial_1_0_2, slice0window_partial_1_0_3, slice0window_partial_1_0_4 : natural range 0 to 767;
+  signal slice0window_partial_1_0_5, slice0window_partial_1_0_6, slice0window_partial_1_0_7 : natural range 0 to 767;
+  signal slice0window_partial_1_0_8, slice0window_partial_1_0_9, slice0window_partial_1_0_10 : natural range 0 to 767;
+  signal slice0window_partial_1_0_11, slice0window_partial_1_0_12, slice0window_partial_1_0_13 : natural range 0 to 767;
+  signal slice0window_partial_1_0_14, slice0window_partial_1_0_15, slice0window_partial_1_0_16 : natural range 0 to 767;
+  signal slice0window_partial_1_0_17, slice0window_partial_1_0_18, slice0window_partial_1_0_19 : natural range 0 to 767;
+  signal slice0window_partial_1_0_20, slice0window_partial_1_0_21, slice0window_partial_1_0_22 : natural range 0 to 767;
+  signal slice0window_partial_1_0_23, slice0window_partial_1_0_24 : natural range 0 to 767;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice0window_partial_0_1_24, slice0window_partial_1_1_0, slice0window_partial_1_1_1 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_2, slice0window_partial_1_1_3, slice0window_partial_1_1_4 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_5, slice0window_partial_1_1_6, slice0window_partial_1_1_7 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_8, slice0window_partial_1_1_9, slice0window_partial_1_1_10 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_11, slice0window_partial_1_1_12 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_13, slice0window_partial_1_1_14 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_15, slice0window_partial_1_1_16 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_17, slice0window_partial_1_1_18 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_19, slice0window_partial_1_1_20 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_21, slice0window_partial_1_1_22 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_23, slice0window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2301;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2301;
+  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2301;
+  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2301;
+  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2301;
+  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 2301;
+  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 2301;
+  signal slice0window_sum_0_24, slice0window_sum_1_0, slice0window_sum_1_1 : natural range 0 to 2301;
+  signal slice0window_sum_1_2, slice0window_sum_1_3, slice0window_sum_1_4 : natural range 0 to 2301;
+  signal slice0window_sum_1_5, slice0window_sum_1_6, slice0window_sum_1_7 : natural range 0 to 2301;
+  signal slice0window_sum_1_8, slice0window_sum_1_9, slice0window_sum_1_10 : natural range 0 to 2301;
+  signal slice0window_sum_1_11, slice0window_sum_1_12, slice0window_sum_1_13 : natural range 0 to 2301;
+  signal slice0window_sum_1_14, slice0window_sum_1_15, slice0window_sum_1_16 : natural range 0 to 2301;
+  signal slice0window_sum_1_17, slice0window_sum_1_18, slice0window_sum_1_19 : natural range 0 to 2301;
+  signal slice0window_sum_1_20, slice0window_sum_1_21, slice0window_sum_1_22 : natural range 0 to 2301;
+  signal slice0window_sum_1_23, slice0window_sum_1_24 : natural range 0 to 2301;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_0_12, slice0winner1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_1, slice0winner1_best_cost_1_2 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_3, slice0winner1_best_cost_1_4 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_5, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_7, slice0winner1_best_cost_1_8 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_9, slice0winner1_best_cost_1_10 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_11, slice0winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_0_6, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_1, slice0winner2_best_cost_1_2 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_3, slice0winner2_best_cost_1_4 : natural range 0 to 2301;
+  signal slice0winner2_best_cost_1_5, slice0winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
+  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0winner4
+  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
+  -- slice0winner5
+  signal slice0winner5_best_cost_0_0, slice0winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
+  signal slice0winner5_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 99;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 255;
+  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 255;
+  signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 255;
+  signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 255;
+  signal slice1shift_search_0_15, slice1shift_search_0_16, slice1shift_search_0_17 : natural range 0 to 255;
+  signal slice1shift_search_0_18, slice1shift_search_0_19, slice1shift_search_0_20 : natural range 0 to 255;
+  signal slice1shift_search_0_21, slice1shift_search_0_22, slice1shift_search_0_23 : natural range 0 to 255;
+  signal slice1shift_search_0_24, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 255;
+  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 255;
+  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 255;
+  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 255;
+  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 255;
+  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_search_1_16 : natural range 0 to 255;
+  signal slice1shift_search_1_17, slice1shift_search_1_18, slice1shift_search_1_19 : natural range 0 to 255;
+  signal slice1shift_search_1_20, slice1shift_search_1_21, slice1shift_search_1_22 : natural range 0 to 255;
+  signal slice1shift_search_1_23, slice1shift_search_1_24, slice1shift_search_2_0 : natural range 0 to 255;
+  signal slice1shift_search_2_1, slice1shift_search_2_2, slice1shift_search_2_3 : natural range 0 to 255;
+  signal slice1shift_search_2_4, slice1shift_search_2_5, slice1shift_search_2_6 : natural range 0 to 255;
+  signal slice1shift_search_2_7, slice1shift_search_2_8, slice1shift_search_2_9 : natural range 0 to 255;
+  signal slice1shift_search_2_10, slice1shift_search_2_11, slice1shift_search_2_12 : natural range 0 to 255;
+  signal slice1shift_search_2_13, slice1shift_search_2_14, slice1shift_search_2_15 : natural range 0 to 255;
+  signal slice1shift_search_2_16, slice1shift_search_2_17, slice1shift_search_2_18 : natural range 0 to 255;
+  signal slice1shift_search_2_19, slice1shift_search_2_20, slice1shift_search_2_21 : natural range 0 to 255;
+  signal slice1shift_search_2_22, slice1shift_search_2_23, slice1shift_search_2_24 : natural range 0 to 255;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 255;
+  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 255;
+  signal slice1shift_search_3_6, slice1shift_search_3_7, slice1shift_search_3_8 : natural range 0 to 255;
+  signal slice1shift_search_3_9, slice1shift_search_3_10, slice1shift_search_3_11 : natural range 0 to 255;
+  signal slice1shift_search_3_12, slice1shift_search_3_13, slice1shift_search_3_14 : natural range 0 to 255;
+  signal slice1shift_search_3_15, slice1shift_search_3_16, slice1shift_search_3_17 : natural range 0 to 255;
+  signal slice1shift_search_3_18, slice1shift_search_3_19, slice1shift_search_3_20 : natural range 0 to 255;
+  signal slice1shift_search_3_21, slice1shift_search_3_22, slice1shift_search_3_23 : natural range 0 to 255;
+  signal slice1shift_search_3_24, slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 255;
+  signal slice1shift_reference_2, slice1shift_reference_3, slice1shift_search_out_0 : natural range 0 to 255;
+  signal slice1shift_search_out_1, slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : integer range -255 to 255;
+  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_0_8 : integer range -255 to 255;
+  signal slice1cost_difference_0_9, slice1cost_difference_0_10, slice1cost_difference_0_11 : integer range -255 to 255;
+  signal slice1cost_difference_0_12, slice1cost_difference_0_13, slice1cost_difference_0_14 : integer range -255 to 255;
+  signal slice1cost_difference_0_15, slice1cost_difference_0_16, slice1cost_difference_0_17 : integer range -255 to 255;
+  signal slice1cost_difference_0_18, slice1cost_difference_0_19, slice1cost_difference_0_20 : integer range -255 to 255;
+  signal slice1cost_difference_0_21, slice1cost_difference_0_22, slice1cost_difference_0_23 : integer range -255 to 255;
+  signal slice1cost_difference_0_24, slice1cost_difference_1_0, slice1cost_difference_1_1 : integer range -255 to 255;
+  signal slice1cost_difference_1_2, slice1cost_difference_1_3, slice1cost_difference_1_4 : integer range -255 to 255;
+  signal slice1cost_difference_1_5, slice1cost_difference_1_6, slice1cost_difference_1_7 : integer range -255 to 255;
+  signal slice1cost_difference_1_8, slice1cost_difference_1_9, slice1cost_difference_1_10 : integer range -255 to 255;
+  signal slice1cost_difference_1_11, slice1cost_difference_1_12, slice1cost_difference_1_13 : integer range -255 to 255;
+  signal slice1cost_difference_1_14, slice1cost_difference_1_15, slice1cost_difference_1_16 : integer range -255 to 255;
+  signal slice1cost_difference_1_17, slice1cost_difference_1_18, slice1cost_difference_1_19 : integer range -255 to 255;
+  signal slice1cost_difference_1_20, slice1cost_difference_1_21, slice1cost_difference_1_22 : integer range -255 to 255;
+  signal slice1cost_difference_1_23, slice1cost_difference_1_24, slice1cost_difference_2_0 : integer range -255 to 255;
+  signal slice1cost_difference_2_1, slice1cost_difference_2_2, slice1cost_difference_2_3 : integer range -255 to 255;
+  signal slice1cost_difference_2_4, slice1cost_difference_2_5, slice1cost_difference_2_6 : integer range -255 to 255;
+  signal slice1cost_difference_2_7, slice1cost_difference_2_8, slice1cost_difference_2_9 : integer range -255 to 255;
+  signal slice1cost_difference_2_10, slice1cost_difference_2_11, slice1cost_difference_2_12 : integer range -255 to 255;
+  signal slice1cost_difference_2_13, slice1cost_difference_2_14, slice1cost_difference_2_15 : integer range -255 to 255;
+  signal slice1cost_difference_2_16, slice1cost_difference_2_17, slice1cost_difference_2_18 : integer range -255 to 255;
+  signal slice1cost_difference_2_19, slice1cost_difference_2_20, slice1cost_difference_2_21 : integer range -255 to 255;
+  signal slice1cost_difference_2_22, slice1cost_difference_2_23, slice1cost_difference_2_24 : integer range -255 to 255;
+  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
+  signal slice1cost_difference_3_3, slice1cost_difference_3_4, slice1cost_difference_3_5 : integer range -255 to 255;
+  signal slice1cost_difference_3_6, slice1cost_difference_3_7, slice1cost_difference_3_8 : integer range -255 to 255;
+  signal slice1cost_difference_3_9, slice1cost_difference_3_10, slice1cost_difference_3_11 : integer range -255 to 255;
+  signal slice1cost_difference_3_12, slice1cost_difference_3_13, slice1cost_difference_3_14 : integer range -255 to 255;
+  signal slice1cost_difference_3_15, slice1cost_difference_3_16, slice1cost_difference_3_17 : integer range -255 to 255;
+  signal slice1cost_difference_3_18, slice1cost_difference_3_19, slice1cost_difference_3_20 : integer range -255 to 255;
+  signal slice1cost_difference_3_21, slice1cost_difference_3_22, slice1cost_difference_3_23 : integer range -255 to 255;
+  signal slice1cost_difference_3_24 : integer range -255 to 255;
+  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
+  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_0_8 : natural range 0 to 255;
+  signal slice1cost_reverse_0_9, slice1cost_reverse_0_10, slice1cost_reverse_0_11 : natural range 0 to 255;
+  signal slice1cost_reverse_0_12, slice1cost_reverse_0_13, slice1cost_reverse_0_14 : natural range 0 to 255;
+  signal slice1cost_reverse_0_15, slice1cost_reverse_0_16, slice1cost_reverse_0_17 : natural range 0 to 255;
+  signal slice1cost_reverse_0_18, slice1cost_reverse_0_19, slice1cost_reverse_0_20 : natural range 0 to 255;
+  signal slice1cost_reverse_0_21, slice1cost_reverse_0_22, slice1cost_reverse_0_23 : natural range 0 to 255;
+  signal slice1cost_reverse_0_24, slice1cost_single_0_0, slice1cost_single_0_1 : natural range 0 to 255;
+  signal slice1cost_single_0_2, slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 255;
+  signal slice1cost_single_0_5, slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
+  signal slice1cost_single_0_8, slice1cost_single_0_9, slice1cost_single_0_10 : natural range 0 to 255;
+  signal slice1cost_single_0_11, slice1cost_single_0_12, slice1cost_single_0_13 : natural range 0 to 255;
+  signal slice1cost_single_0_14, slice1cost_single_0_15, slice1cost_single_0_16 : natural range 0 to 255;
+  signal slice1cost_single_0_17, slice1cost_single_0_18, slice1cost_single_0_19 : natural range 0 to 255;
+  signal slice1cost_single_0_20, slice1cost_single_0_21, slice1cost_single_0_22 : natural range 0 to 255;
+  signal slice1cost_single_0_23, slice1cost_single_0_24, slice1cost_single_3_0 : natural range 0 to 255;
+  signal slice1cost_single_3_1, slice1cost_single_3_2, slice1cost_single_3_3 : natural range 0 to 255;
+  signal slice1cost_single_3_4, slice1cost_single_3_5, slice1cost_single_3_6 : natural range 0 to 255;
+  signal slice1cost_single_3_7, slice1cost_single_3_8, slice1cost_single_3_9 : natural range 0 to 255;
+  signal slice1cost_single_3_10, slice1cost_single_3_11, slice1cost_single_3_12 : natural range 0 to 255;
+  signal slice1cost_single_3_13, slice1cost_single_3_14, slice1cost_single_3_15 : natural range 0 to 255;
+  signal slice1cost_single_3_16, slice1cost_single_3_17, slice1cost_single_3_18 : natural range 0 to 255;
+  signal slice1cost_single_3_19, slice1cost_single_3_20, slice1cost_single_3_21 : natural range 0 to 255;
+  signal slice1cost_single_3_22, slice1cost_single_3_23, slice1cost_single_3_24 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
+  signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
+  signal slice1cost_pair_0_12, slice1cost_pair_0_13, slice1cost_pair_0_14 : natural range 0 to 511;
+  signal slice1cost_pair_0_15, slice1cost_pair_0_16, slice1cost_pair_0_17 : natural range 0 to 511;
+  signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
+  signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
+  signal slice1cost_pair_0_24 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
+  signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
+  signal slice1cost_negative_0_8, slice1cost_negative_0_9, slice1cost_negative_0_10, slice1cost_negative_0_11 : boolean;
+  signal slice1cost_negative_0_12, slice1cost_negative_0_13, slice1cost_negative_0_14 : boolean;
+  signal slice1cost_negative_0_15, slice1cost_negative_0_16, slice1cost_negative_0_17 : boolean;
+  signal slice1cost_negative_0_18, slice1cost_negative_0_19, slice1cost_negative_0_20 : boolean;
+  signal slice1cost_negative_0_21, slice1cost_negative_0_22, slice1cost_negative_0_23 : boolean;
+  signal slice1cost_negative_0_24, slice1cost_negative_3_0, slice1cost_negative_3_1, slice1cost_negative_3_2 : boolean;
+  signal slice1cost_negative_3_3, slice1cost_negative_3_4, slice1cost_negative_3_5, slice1cost_negative_3_6 : boolean;
+  signal slice1cost_negative_3_7, slice1cost_negative_3_8, slice1cost_negative_3_9, slice1cost_negative_3_10 : boolean;
+  signal slice1cost_negative_3_11, slice1cost_negative_3_12, slice1cost_negative_3_13 : boolean;
+  signal slice1cost_negative_3_14, slice1cost_negative_3_15, slice1cost_negative_3_16 : boolean;
+  signal slice1cost_negative_3_17, slice1cost_negative_3_18, slice1cost_negative_3_19 : boolean;
+  signal slice1cost_negative_3_20, slice1cost_negative_3_21, slice1cost_negative_3_22 : boolean;
+  signal slice1cost_negative_3_23, slice1cost_negative_3_24, slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 767;
+  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 767;
+  signal slice1cost_column_0_9, slice1cost_column_0_10, slice1cost_column_0_11 : natural range 0 to 767;
+  signal slice1cost_column_0_12, slice1cost_column_0_13, slice1cost_column_0_14 : natural range 0 to 767;
+  signal slice1cost_column_0_15, slice1cost_column_0_16, slice1cost_column_0_17 : natural range 0 to 767;
+  signal slice1cost_column_0_18, slice1cost_column_0_19, slice1cost_column_0_20 : natural range 0 to 767;
+  signal slice1cost_column_0_21, slice1cost_column_0_22, slice1cost_column_0_23 : natural range 0 to 767;
+  signal slice1cost_column_0_24, slice1cost_column_1_0, slice1cost_column_1_1 : natural range 0 to 767;
+  signal slice1cost_column_1_2, slice1cost_column_1_3, slice1cost_column_1_4 : natural range 0 to 767;
+  signal slice1cost_column_1_5, slice1cost_column_1_6, slice1cost_column_1_7 : natural range 0 to 767;
+  signal slice1cost_column_1_8, slice1cost_column_1_9, slice1cost_column_1_10 : natural range 0 to 767;
+  signal slice1cost_column_1_11, slice1cost_column_1_12, slice1cost_column_1_13 : natural range 0 to 767;
+  signal slice1cost_column_1_14, slice1cost_column_1_15, slice1cost_column_1_16 : natural range 0 to 767;
+  signal slice1cost_column_1_17, slice1cost_column_1_18, slice1cost_column_1_19 : natural range 0 to 767;
+  signal slice1cost_column_1_20, slice1cost_column_1_21, slice1cost_column_1_22 : natural range 0 to 767;
+  signal slice1cost_column_1_23, slice1cost_column_1_24 : natural range 0 to 767;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 767;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_0_0_8 : natural range 0 to 767;
+  signal slice1window_partial_0_0_9, slice1window_partial_0_0_10, slice1window_partial_0_0_11 : natural range 0 to 767;
+  signal slice1window_partial_0_0_12, slice1window_partial_0_0_13, slice1window_partial_0_0_14 : natural range 0 to 767;
+  signal slice1window_partial_0_0_15, slice1window_partial_0_0_16, slice1window_partial_0_0_17 : natural range 0 to 767;
+  signal slice1window_partial_0_0_18, slice1window_partial_0_0_19, slice1window_partial_0_0_20 : natural range 0 to 767;
+  signal slice1window_partial_0_0_21, slice1window_partial_0_0_22, slice1window_partial_0_0_23 : natural range 0 to 767;
+  signal slice1window_partial_0_0_24, slice1window_partial_1_0_0, slice1window_partial_1_0_1 : natural range 0 to 767;
+  signal slice1window_partial_1_0_2, slice1window_partial_1_0_3, slice1window_partial_1_0_4 : natural range 0 to 767;
+  signal slice1window_partial_1_0_5, slice1window_partial_1_0_6, slice1window_partial_1_0_7 : natural range 0 to 767;
+  signal slice1window_partial_1_0_8, slice1window_partial_1_0_9, slice1window_partial_1_0_10 : natural range 0 to 767;
+  signal slice1window_partial_1_0_11, slice1window_partial_1_0_12, slice1window_partial_1_0_13 : natural range 0 to 767;
+  signal slice1window_partial_1_0_14, slice1window_partial_1_0_15, slice1window_partial_1_0_16 : natural range 0 to 767;
+  signal slice1window_partial_1_0_17, slice1window_partial_1_0_18, slice1window_partial_1_0_19 : natural range 0 to 767;
+  signal slice1window_partial_1_0_20, slice1window_partial_1_0_21, slice1window_partial_1_0_22 : natural range 0 to 767;
+  signal slice1window_partial_1_0_23, slice1window_partial_1_0_24 : natural range 0 to 767;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_9, slice1window_partial_0_1_10, slice1window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_12, slice1window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_14, slice1window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_16, slice1window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_18, slice1window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice1window_partial_0_1_24, slice1window_partial_1_1_0, slice1window_partial_1_1_1 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_2, slice1window_partial_1_1_3, slice1window_partial_1_1_4 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_5, slice1window_partial_1_1_6, slice1window_partial_1_1_7 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_8, slice1window_partial_1_1_9, slice1window_partial_1_1_10 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_11, slice1window_partial_1_1_12 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_13, slice1window_partial_1_1_14 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_15, slice1window_partial_1_1_16 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_17, slice1window_partial_1_1_18 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_19, slice1window_partial_1_1_20 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_21, slice1window_partial_1_1_22 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_23, slice1window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2301;
+  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2301;
+  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2301;
+  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2301;
+  signal slice1window_sum_0_15, slice1window_sum_0_16, slice1window_sum_0_17 : natural range 0 to 2301;
+  signal slice1window_sum_0_18, slice1window_sum_0_19, slice1window_sum_0_20 : natural range 0 to 2301;
+  signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 2301;
+  signal slice1window_sum_0_24, slice1window_sum_1_0, slice1window_sum_1_1 : natural range 0 to 2301;
+  signal slice1window_sum_1_2, slice1window_sum_1_3, slice1window_sum_1_4 : natural range 0 to 2301;
+  signal slice1window_sum_1_5, slice1window_sum_1_6, slice1window_sum_1_7 : natural range 0 to 2301;
+  signal slice1window_sum_1_8, slice1window_sum_1_9, slice1window_sum_1_10 : natural range 0 to 2301;
+  signal slice1window_sum_1_11, slice1window_sum_1_12, slice1window_sum_1_13 : natural range 0 to 2301;
+  signal slice1window_sum_1_14, slice1window_sum_1_15, slice1window_sum_1_16 : natural range 0 to 2301;
+  signal slice1window_sum_1_17, slice1window_sum_1_18, slice1window_sum_1_19 : natural range 0 to 2301;
+  signal slice1window_sum_1_20, slice1window_sum_1_21, slice1window_sum_1_22 : natural range 0 to 2301;
+  signal slice1window_sum_1_23, slice1window_sum_1_24 : natural range 0 to 2301;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_0_12, slice1winner1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_1, slice1winner1_best_cost_1_2 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_3, slice1winner1_best_cost_1_4 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_5, slice1winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_7, slice1winner1_best_cost_1_8 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_9, slice1winner1_best_cost_1_10 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_11, slice1winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_6, slice1winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice1winner1_best_index_0_7, slice1winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_8, slice1winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice1winner1_best_index_0_9, slice1winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice1winner1_best_index_0_10, slice1winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice1winner1_best_index_0_11, slice1winner1_best_index_1_11 : natural range 0 to 23;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_0_6, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_1, slice1winner2_best_cost_1_2 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_3, slice1winner2_best_cost_1_4 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_1_5, slice1winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice1winner2_best_index_0_2, slice1winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0_3, slice1winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_4, slice1winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice1winner2_best_index_0_5, slice1winner2_best_index_1_5 : natural range 0 to 23;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_1_0, slice1winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_1_2, slice1winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice1winner3_best_index_0_1, slice1winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice1winner3_best_index_0_2, slice1winner3_best_index_1_2 : natural range 0 to 23;
+  -- slice1winner4
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner4_best_cost_1_0, slice1winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice1winner4_best_index_0_1, slice1winner4_best_index_1_1 : natural range 0 to 24;
+  -- slice1winner5
+  signal slice1winner5_best_cost_0_0, slice1winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 24;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 99;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 255;
+  signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 255;
+  signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 255;
+  signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 255;
+  signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 255;
+  signal slice2shift_search_0_15, slice2shift_search_0_16, slice2shift_search_0_17 : natural range 0 to 255;
+  signal slice2shift_search_0_18, slice2shift_search_0_19, slice2shift_search_0_20 : natural range 0 to 255;
+  signal slice2shift_search_0_21, slice2shift_search_0_22, slice2shift_search_0_23 : natural range 0 to 255;
+  signal slice2shift_search_0_24, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 255;
+  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 255;
+  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 255;
+  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 255;
+  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 255;
+  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_search_1_16 : natural range 0 to 255;
+  signal slice2shift_search_1_17, slice2shift_search_1_18, slice2shift_search_1_19 : natural range 0 to 255;
+  signal slice2shift_search_1_20, slice2shift_search_1_21, slice2shift_search_1_22 : natural range 0 to 255;
+  signal slice2shift_search_1_23, slice2shift_search_1_24, slice2shift_search_2_0 : natural range 0 to 255;
+  signal slice2shift_search_2_1, slice2shift_search_2_2, slice2shift_search_2_3 : natural range 0 to 255;
+  signal slice2shift_search_2_4, slice2shift_search_2_5, slice2shift_search_2_6 : natural range 0 to 255;
+  signal slice2shift_search_2_7, slice2shift_search_2_8, slice2shift_search_2_9 : natural range 0 to 255;
+  signal slice2shift_search_2_10, slice2shift_search_2_11, slice2shift_search_2_12 : natural range 0 to 255;
+  signal slice2shift_search_2_13, slice2shift_search_2_14, slice2shift_search_2_15 : natural range 0 to 255;
+  signal slice2shift_search_2_16, slice2shift_search_2_17, slice2shift_search_2_18 : natural range 0 to 255;
+  signal slice2shift_search_2_19, slice2shift_search_2_20, slice2shift_search_2_21 : natural range 0 to 255;
+  signal slice2shift_search_2_22, slice2shift_search_2_23, slice2shift_search_2_24 : natural range 0 to 255;
+  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_search_3_2 : natural range 0 to 255;
+  signal slice2shift_search_3_3, slice2shift_search_3_4, slice2shift_search_3_5 : natural range 0 to 255;
+  signal slice2shift_search_3_6, slice2shift_search_3_7, slice2shift_search_3_8 : natural range 0 to 255;
+  signal slice2shift_search_3_9, slice2shift_search_3_10, slice2shift_search_3_11 : natural range 0 to 255;
+  signal slice2shift_search_3_12, slice2shift_search_3_13, slice2shift_search_3_14 : natural range 0 to 255;
+  signal slice2shift_search_3_15, slice2shift_search_3_16, slice2shift_search_3_17 : natural range 0 to 255;
+  signal slice2shift_search_3_18, slice2shift_search_3_19, slice2shift_search_3_20 : natural range 0 to 255;
+  signal slice2shift_search_3_21, slice2shift_search_3_22, slice2shift_search_3_23 : natural range 0 to 255;
+  signal slice2shift_search_3_24, slice2shift_reference_0, slice2shift_reference_1 : natural range 0 to 255;
+  signal slice2shift_reference_2, slice2shift_reference_3, slice2shift_search_out_0 : natural range 0 to 255;
+  signal slice2shift_search_out_1, slice2shift_search_out_2, slice2shift_search_out_3 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_0_2 : integer range -255 to 255;
+  signal slice2cost_difference_0_3, slice2cost_difference_0_4, slice2cost_difference_0_5 : integer range -255 to 255;
+  signal slice2cost_difference_0_6, slice2cost_difference_0_7, slice2cost_difference_0_8 : integer range -255 to 255;
+  signal slice2cost_difference_0_9, slice2cost_difference_0_10, slice2cost_difference_0_11 : integer range -255 to 255;
+  signal slice2cost_difference_0_12, slice2cost_difference_0_13, slice2cost_difference_0_14 : integer range -255 to 255;
+  signal slice2cost_difference_0_15, slice2cost_difference_0_16, slice2cost_difference_0_17 : integer range -255 to 255;
+  signal slice2cost_difference_0_18, slice2cost_difference_0_19, slice2cost_difference_0_20 : integer range -255 to 255;
+  signal slice2cost_difference_0_21, slice2cost_difference_0_22, slice2cost_difference_0_23 : integer range -255 to 255;
+  signal slice2cost_difference_0_24, slice2cost_difference_1_0, slice2cost_difference_1_1 : integer range -255 to 255;
+  signal slice2cost_difference_1_2, slice2cost_difference_1_3, slice2cost_difference_1_4 : integer range -255 to 255;
+  signal slice2cost_difference_1_5, slice2cost_difference_1_6, slice2cost_difference_1_7 : integer range -255 to 255;
+  signal slice2cost_difference_1_8, slice2cost_difference_1_9, slice2cost_difference_1_10 : integer range -255 to 255;
+  signal slice2cost_difference_1_11, slice2cost_difference_1_12, slice2cost_difference_1_13 : integer range -255 to 255;
+  signal slice2cost_difference_1_14, slice2cost_difference_1_15, slice2cost_difference_1_16 : integer range -255 to 255;
+  signal slice2cost_difference_1_17, slice2cost_difference_1_18, slice2cost_difference_1_19 : integer range -255 to 255;
+  signal slice2cost_difference_1_20, slice2cost_difference_1_21, slice2cost_difference_1_22 : integer range -255 to 255;
+  signal slice2cost_difference_1_23, slice2cost_difference_1_24, slice2cost_difference_2_0 : integer range -255 to 255;
+  signal slice2cost_difference_2_1, slice2cost_difference_2_2, slice2cost_difference_2_3 : integer range -255 to 255;
+  signal slice2cost_difference_2_4, slice2cost_difference_2_5, slice2cost_difference_2_6 : integer range -255 to 255;
+  signal slice2cost_difference_2_7, slice2cost_difference_2_8, slice2cost_difference_2_9 : integer range -255 to 255;
+  signal slice2cost_difference_2_10, slice2cost_difference_2_11, slice2cost_difference_2_12 : integer range -255 to 255;
+  signal slice2cost_difference_2_13, slice2cost_difference_2_14, slice2cost_difference_2_15 : integer range -255 to 255;
+  signal slice2cost_difference_2_16, slice2cost_difference_2_17, slice2cost_difference_2_18 : integer range -255 to 255;
+  signal slice2cost_difference_2_19, slice2cost_difference_2_20, slice2cost_difference_2_21 : integer range -255 to 255;
+  signal slice2cost_difference_2_22, slice2cost_difference_2_23, slice2cost_difference_2_24 : integer range -255 to 255;
+  signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_3_2 : integer range -255 to 255;
+  signal slice2cost_difference_3_3, slice2cost_difference_3_4, slice2cost_difference_3_5 : integer range -255 to 255;
+  signal slice2cost_difference_3_6, slice2cost_difference_3_7, slice2cost_difference_3_8 : integer range -255 to 255;
+  signal slice2cost_difference_3_9, slice2cost_difference_3_10, slice2cost_difference_3_11 : integer range -255 to 255;
+  signal slice2cost_difference_3_12, slice2cost_difference_3_13, slice2cost_difference_3_14 : integer range -255 to 255;
+  signal slice2cost_difference_3_15, slice2cost_difference_3_16, slice2cost_difference_3_17 : integer range -255 to 255;
+  signal slice2cost_difference_3_18, slice2cost_difference_3_19, slice2cost_difference_3_20 : integer range -255 to 255;
+  signal slice2cost_difference_3_21, slice2cost_difference_3_22, slice2cost_difference_3_23 : integer range -255 to 255;
+  signal slice2cost_difference_3_24 : integer range -255 to 255;
+  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_0_2 : natural range 0 to 255;
+  signal slice2cost_reverse_0_3, slice2cost_reverse_0_4, slice2cost_reverse_0_5 : natural range 0 to 255;
+  signal slice2cost_reverse_0_6, slice2cost_reverse_0_7, slice2cost_reverse_0_8 : natural range 0 to 255;
+  signal slice2cost_reverse_0_9, slice2cost_reverse_0_10, slice2cost_reverse_0_11 : natural range 0 to 255;
+  signal slice2cost_reverse_0_12, slice2cost_reverse_0_13, slice2cost_reverse_0_14 : natural range 0 to 255;
+  signal slice2cost_reverse_0_15, slice2cost_reverse_0_16, slice2cost_reverse_0_17 : natural range 0 to 255;
+  signal slice2cost_reverse_0_18, slice2cost_reverse_0_19, slice2cost_reverse_0_20 : natural range 0 to 255;
+  signal slice2cost_reverse_0_21, slice2cost_reverse_0_22, slice2cost_reverse_0_23 : natural range 0 to 255;
+  signal slice2cost_reverse_0_24, slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
+  signal slice2cost_single_0_2, slice2cost_single_0_3, slice2cost_single_0_4 : natural range 0 to 255;
+  signal slice2cost_single_0_5, slice2cost_single_0_6, slice2cost_single_0_7 : natural range 0 to 255;
+  signal slice2cost_single_0_8, slice2cost_single_0_9, slice2cost_single_0_10 : natural range 0 to 255;
+  signal slice2cost_single_0_11, slice2cost_single_0_12, slice2cost_single_0_13 : natural range 0 to 255;
+  signal slice2cost_single_0_14, slice2cost_single_0_15, slice2cost_single_0_16 : natural range 0 to 255;
+  signal slice2cost_single_0_17, slice2cost_single_0_18, slice2cost_single_0_19 : natural range 0 to 255;
+  signal slice2cost_single_0_20, slice2cost_single_0_21, slice2cost_single_0_22 : natural range 0 to 255;
+  signal slice2cost_single_0_23, slice2cost_single_0_24, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1, slice2cost_single_3_2, slice2cost_single_3_3 : natural range 0 to 255;
+  signal slice2cost_single_3_4, slice2cost_single_3_5, slice2cost_single_3_6 : natural range 0 to 255;
+  signal slice2cost_single_3_7, slice2cost_single_3_8, slice2cost_single_3_9 : natural range 0 to 255;
+  signal slice2cost_single_3_10, slice2cost_single_3_11, slice2cost_single_3_12 : natural range 0 to 255;
+  signal slice2cost_single_3_13, slice2cost_single_3_14, slice2cost_single_3_15 : natural range 0 to 255;
+  signal slice2cost_single_3_16, slice2cost_single_3_17, slice2cost_single_3_18 : natural range 0 to 255;
+  signal slice2cost_single_3_19, slice2cost_single_3_20, slice2cost_single_3_21 : natural range 0 to 255;
+  signal slice2cost_single_3_22, slice2cost_single_3_23, slice2cost_single_3_24 : natural range 0 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
+  signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
+  signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
+  signal slice2cost_pair_0_12, slice2cost_pair_0_13, slice2cost_pair_0_14 : natural range 0 to 511;
+  signal slice2cost_pair_0_15, slice2cost_pair_0_16, slice2cost_pair_0_17 : natural range 0 to 511;
+  signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
+  signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
+  signal slice2cost_pair_0_24 : natural range 0 to 511;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_0_2, slice2cost_negative_0_3 : boolean;
+  signal slice2cost_negative_0_4, slice2cost_negative_0_5, slice2cost_negative_0_6, slice2cost_negative_0_7 : boolean;
+  signal slice2cost_negative_0_8, slice2cost_negative_0_9, slice2cost_negative_0_10, slice2cost_negative_0_11 : boolean;
+  signal slice2cost_negative_0_12, slice2cost_negative_0_13, slice2cost_negative_0_14 : boolean;
+  signal slice2cost_negative_0_15, slice2cost_negative_0_16, slice2cost_negative_0_17 : boolean;
+  signal slice2cost_negative_0_18, slice2cost_negative_0_19, slice2cost_negative_0_20 : boolean;
+  signal slice2cost_negative_0_21, slice2cost_negative_0_22, slice2cost_negative_0_23 : boolean;
+  signal slice2cost_negative_0_24, slice2cost_negative_3_0, slice2cost_negative_3_1, slice2cost_negative_3_2 : boolean;
+  signal slice2cost_negative_3_3, slice2cost_negative_3_4, slice2cost_negative_3_5, slice2cost_negative_3_6 : boolean;
+  signal slice2cost_negative_3_7, slice2cost_negative_3_8, slice2cost_negative_3_9, slice2cost_negative_3_10 : boolean;
+  signal slice2cost_negative_3_11, slice2cost_negative_3_12, slice2cost_negative_3_13 : boolean;
+  signal slice2cost_negative_3_14, slice2cost_negative_3_15, slice2cost_negative_3_16 : boolean;
+  signal slice2cost_negative_3_17, slice2cost_negative_3_18, slice2cost_negative_3_19 : boolean;
+  signal slice2cost_negative_3_20, slice2cost_negative_3_21, slice2cost_negative_3_22 : boolean;
+  signal slice2cost_negative_3_23, slice2cost_negative_3_24, slice2cost_tag_border_column : boolean;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 767;
+  signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 767;
+  signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 767;
+  signal slice2cost_column_0_9, slice2cost_column_0_10, slice2cost_column_0_11 : natural range 0 to 767;
+  signal slice2cost_column_0_12, slice2cost_column_0_13, slice2cost_column_0_14 : natural range 0 to 767;
+  signal slice2cost_column_0_15, slice2cost_column_0_16, slice2cost_column_0_17 : natural range 0 to 767;
+  signal slice2cost_column_0_18, slice2cost_column_0_19, slice2cost_column_0_20 : natural range 0 to 767;
+  signal slice2cost_column_0_21, slice2cost_column_0_22, slice2cost_column_0_23 : natural range 0 to 767;
+  signal slice2cost_column_0_24, slice2cost_column_1_0, slice2cost_column_1_1 : natural range 0 to 767;
+  signal slice2cost_column_1_2, slice2cost_column_1_3, slice2cost_column_1_4 : natural range 0 to 767;
+  signal slice2cost_column_1_5, slice2cost_column_1_6, slice2cost_column_1_7 : natural range 0 to 767;
+  signal slice2cost_column_1_8, slice2cost_column_1_9, slice2cost_column_1_10 : natural range 0 to 767;
+  signal slice2cost_column_1_11, slice2cost_column_1_12, slice2cost_column_1_13 : natural range 0 to 767;
+  signal slice2cost_column_1_14, slice2cost_column_1_15, slice2cost_column_1_16 : natural range 0 to 767;
+  signal slice2cost_column_1_17, slice2cost_column_1_18, slice2cost_column_1_19 : natural range 0 to 767;
+  signal slice2cost_column_1_20, slice2cost_column_1_21, slice2cost_column_1_22 : natural range 0 to 767;
+  signal slice2cost_column_1_23, slice2cost_column_1_24 : natural range 0 to 767;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 767;
+  signal slice2window_partial_0_0_3, slice2window_partial_0_0_4, slice2window_partial_0_0_5 : natural range 0 to 767;
+  signal slice2window_partial_0_0_6, slice2window_partial_0_0_7, slice2window_partial_0_0_8 : natural range 0 to 767;
+  signal slice2window_partial_0_0_9, slice2window_partial_0_0_10, slice2window_partial_0_0_11 : natural range 0 to 767;
+  signal slice2window_partial_0_0_12, slice2window_partial_0_0_13, slice2window_partial_0_0_14 : natural range 0 to 767;
+  signal slice2window_partial_0_0_15, slice2window_partial_0_0_16, slice2window_partial_0_0_17 : natural range 0 to 767;
+  signal slice2window_partial_0_0_18, slice2window_partial_0_0_19, slice2window_partial_0_0_20 : natural range 0 to 767;
+  signal slice2window_partial_0_0_21, slice2window_partial_0_0_22, slice2window_partial_0_0_23 : natural range 0 to 767;
+  signal slice2window_partial_0_0_24, slice2window_partial_1_0_0, slice2window_partial_1_0_1 : natural range 0 to 767;
+  signal slice2window_partial_1_0_2, slice2window_partial_1_0_3, slice2window_partial_1_0_4 : natural range 0 to 767;
+  signal slice2window_partial_1_0_5, slice2window_partial_1_0_6, slice2window_partial_1_0_7 : natural range 0 to 767;
+  signal slice2window_partial_1_0_8, slice2window_partial_1_0_9, slice2window_partial_1_0_10 : natural range 0 to 767;
+  signal slice2window_partial_1_0_11, slice2window_partial_1_0_12, slice2window_partial_1_0_13 : natural range 0 to 767;
+  signal slice2window_partial_1_0_14, slice2window_partial_1_0_15, slice2window_partial_1_0_16 : natural range 0 to 767;
+  signal slice2window_partial_1_0_17, slice2window_partial_1_0_18, slice2window_partial_1_0_19 : natural range 0 to 767;
+  signal slice2window_partial_1_0_20, slice2window_partial_1_0_21, slice2window_partial_1_0_22 : natural range 0 to 767;
+  signal slice2window_partial_1_0_23, slice2window_partial_1_0_24 : natural range 0 to 767;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_3, slice2window_partial_0_1_4, slice2window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_6, slice2window_partial_0_1_7, slice2window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_9, slice2window_partial_0_1_10, slice2window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_12, slice2window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_14, slice2window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_16, slice2window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_18, slice2window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice2window_partial_0_1_24, slice2window_partial_1_1_0, slice2window_partial_1_1_1 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_2, slice2window_partial_1_1_3, slice2window_partial_1_1_4 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_5, slice2window_partial_1_1_6, slice2window_partial_1_1_7 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_8, slice2window_partial_1_1_9, slice2window_partial_1_1_10 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_11, slice2window_partial_1_1_12 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_13, slice2window_partial_1_1_14 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_15, slice2window_partial_1_1_16 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_17, slice2window_partial_1_1_18 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_19, slice2window_partial_1_1_20 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_21, slice2window_partial_1_1_22 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_23, slice2window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2301;
+  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2301;
+  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2301;
+  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2301;
+  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2301;
+  signal slice2window_sum_0_15, slice2window_sum_0_16, slice2window_sum_0_17 : natural range 0 to 2301;
+  signal slice2window_sum_0_18, slice2window_sum_0_19, slice2window_sum_0_20 : natural range 0 to 2301;
+  signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 2301;
+  signal slice2window_sum_0_24, slice2window_sum_1_0, slice2window_sum_1_1 : natural range 0 to 2301;
+  signal slice2window_sum_1_2, slice2window_sum_1_3, slice2window_sum_1_4 : natural range 0 to 2301;
+  signal slice2window_sum_1_5, slice2window_sum_1_6, slice2window_sum_1_7 : natural range 0 to 2301;
+  signal slice2window_sum_1_8, slice2window_sum_1_9, slice2window_sum_1_10 : natural range 0 to 2301;
+  signal slice2window_sum_1_11, slice2window_sum_1_12, slice2window_sum_1_13 : natural range 0 to 2301;
+  signal slice2window_sum_1_14, slice2window_sum_1_15, slice2window_sum_1_16 : natural range 0 to 2301;
+  signal slice2window_sum_1_17, slice2window_sum_1_18, slice2window_sum_1_19 : natural range 0 to 2301;
+  signal slice2window_sum_1_20, slice2window_sum_1_21, slice2window_sum_1_22 : natural range 0 to 2301;
+  signal slice2window_sum_1_23, slice2window_sum_1_24 : natural range 0 to 2301;
+  -- slice2winner1
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_0_12, slice2winner1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_1, slice2winner1_best_cost_1_2 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_3, slice2winner1_best_cost_1_4 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_5, slice2winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_7, slice2winner1_best_cost_1_8 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_9, slice2winner1_best_cost_1_10 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_11, slice2winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
+  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_6, slice2winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice2winner1_best_index_0_7, slice2winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_8, slice2winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice2winner1_best_index_0_9, slice2winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice2winner1_best_index_0_10, slice2winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice2winner1_best_index_0_11, slice2winner1_best_index_1_11 : natural range 0 to 23;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_0_6, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_1, slice2winner2_best_cost_1_2 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_3, slice2winner2_best_cost_1_4 : natural range 0 to 2301;
+  signal slice2winner2_best_cost_1_5, slice2winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice2winner2_best_index_0_2, slice2winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0_3, slice2winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_4, slice2winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice2winner2_best_index_0_5, slice2winner2_best_index_1_5 : natural range 0 to 23;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_1_0, slice2winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner3_best_cost_1_2, slice2winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice2winner3_best_index_0_1, slice2winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_0_2, slice2winner3_best_index_1_2 : natural range 0 to 23;
+  -- slice2winner4
+  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 2301;
+  signal slice2winner4_best_cost_1_0, slice2winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice2winner4_best_index_0_0, slice2winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice2winner4_best_index_0_1, slice2winner4_best_index_1_1 : natural range 0 to 24;
+  -- slice2winner5
+  signal slice2winner5_best_cost_0_0, slice2winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner5_best_index_0_0, slice2winner5_best_index_1_0 : natural range 0 to 24;
+  -- slice2
+  signal slice2_best_cost_0_0, slice2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 99;
+  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
+  -- slice3shift
+  signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 255;
+  signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 255;
+  signal slice3shift_search_0_6, slice3shift_search_0_7, slice3shift_search_0_8 : natural range 0 to 255;
+  signal slice3shift_search_0_9, slice3shift_search_0_10, slice3shift_search_0_11 : natural range 0 to 255;
+  signal slice3shift_search_0_12, slice3shift_search_0_13, slice3shift_search_0_14 : natural range 0 to 255;
+  signal slice3shift_search_0_15, slice3shift_search_0_16, slice3shift_search_0_17 : natural range 0 to 255;
+  signal slice3shift_search_0_18, slice3shift_search_0_19, slice3shift_search_0_20 : natural range 0 to 255;
+  signal slice3shift_search_0_21, slice3shift_search_0_22, slice3shift_search_0_23 : natural range 0 to 255;
+  signal slice3shift_search_0_24, slice3shift_search_1_0, slice3shift_search_1_1 : natural range 0 to 255;
+  signal slice3shift_search_1_2, slice3shift_search_1_3, slice3shift_search_1_4 : natural range 0 to 255;
+  signal slice3shift_search_1_5, slice3shift_search_1_6, slice3shift_search_1_7 : natural range 0 to 255;
+  signal slice3shift_search_1_8, slice3shift_search_1_9, slice3shift_search_1_10 : natural range 0 to 255;
+  signal slice3shift_search_1_11, slice3shift_search_1_12, slice3shift_search_1_13 : natural range 0 to 255;
+  signal slice3shift_search_1_14, slice3shift_search_1_15, slice3shift_search_1_16 : natural range 0 to 255;
+  signal slice3shift_search_1_17, slice3shift_search_1_18, slice3shift_search_1_19 : natural range 0 to 255;
+  signal slice3shift_search_1_20, slice3shift_search_1_21, slice3shift_search_1_22 : natural range 0 to 255;
+  signal slice3shift_search_1_23, slice3shift_search_1_24, slice3shift_search_2_0 : natural range 0 to 255;
+  signal slice3shift_search_2_1, slice3shift_search_2_2, slice3shift_search_2_3 : natural range 0 to 255;
+  signal slice3shift_search_2_4, slice3shift_search_2_5, slice3shift_search_2_6 : natural range 0 to 255;
+  signal slice3shift_search_2_7, slice3shift_search_2_8, slice3shift_search_2_9 : natural range 0 to 255;
+  signal slice3shift_search_2_10, slice3shift_search_2_11, slice3shift_search_2_12 : natural range 0 to 255;
+  signal slice3shift_search_2_13, slice3shift_search_2_14, slice3shift_search_2_15 : natural range 0 to 255;
+  signal slice3shift_search_2_16, slice3shift_search_2_17, slice3shift_search_2_18 : natural range 0 to 255;
+  signal slice3shift_search_2_19, slice3shift_search_2_20, slice3shift_search_2_21 : natural range 0 to 255;
+  signal slice3shift_search_2_22, slice3shift_search_2_23, slice3shift_search_2_24 : natural range 0 to 255;
+  signal slice3shift_search_3_0, slice3shift_search_3_1, slice3shift_search_3_2 : natural range 0 to 255;
+  signal slice3shift_search_3_3, slice3shift_search_3_4, slice3shift_search_3_5 : natural range 0 to 255;
+  signal slice3shift_search_3_6, slice3shift_search_3_7, slice3shift_search_3_8 : natural range 0 to 255;
+  signal slice3shift_search_3_9, slice3shift_search_3_10, slice3shift_search_3_11 : natural range 0 to 255;
+  signal slice3shift_search_3_12, slice3shift_search_3_13, slice3shift_search_3_14 : natural range 0 to 255;
+  signal slice3shift_search_3_15, slice3shift_search_3_16, slice3shift_search_3_17 : natural range 0 to 255;
+  signal slice3shift_search_3_18, slice3shift_search_3_19, slice3shift_search_3_20 : natural range 0 to 255;
+  signal slice3shift_search_3_21, slice3shift_search_3_22, slice3shift_search_3_23 : natural range 0 to 255;
+  signal slice3shift_search_3_24, slice3shift_reference_0, slice3shift_reference_1 : natural range 0 to 255;
+  signal slice3shift_reference_2, slice3shift_reference_3 : natural range 0 to 255;
+  -- slice3cost
+  signal slice3cost_difference_0_0, slice3cost_difference_0_1, slice3cost_difference_0_2 : integer range -255 to 255;
+  signal slice3cost_difference_0_3, slice3cost_difference_0_4, slice3cost_difference_0_5 : integer range -255 to 255;
+  signal slice3cost_difference_0_6, slice3cost_difference_0_7, slice3cost_difference_0_8 : integer range -255 to 255;
+  signal slice3cost_difference_0_9, slice3cost_difference_0_10, slice3cost_difference_0_11 : integer range -255 to 255;
+  signal slice3cost_difference_0_12, slice3cost_difference_0_13, slice3cost_difference_0_14 : integer range -255 to 255;
+  signal slice3cost_difference_0_15, slice3cost_difference_0_16, slice3cost_difference_0_17 : integer range -255 to 255;
+  signal slice3cost_difference_0_18, slice3cost_difference_0_19, slice3cost_difference_0_20 : integer range -255 to 255;
+  signal slice3cost_difference_0_21, slice3cost_difference_0_22, slice3cost_difference_0_23 : integer range -255 to 255;
+  signal slice3cost_difference_0_24, slice3cost_difference_1_0, slice3cost_difference_1_1 : integer range -255 to 255;
+  signal slice3cost_difference_1_2, slice3cost_difference_1_3, slice3cost_difference_1_4 : integer range -255 to 255;
+  signal slice3cost_difference_1_5, slice3cost_difference_1_6, slice3cost_difference_1_7 : integer range -255 to 255;
+  signal slice3cost_difference_1_8, slice3cost_difference_1_9, slice3cost_difference_1_10 : integer range -255 to 255;
+  signal slice3cost_difference_1_11, slice3cost_difference_1_12, slice3cost_difference_1_13 : integer range -255 to 255;
+  signal slice3cost_difference_1_14, slice3cost_difference_1_15, slice3cost_difference_1_16 : integer range -255 to 255;
+  signal slice3cost_difference_1_17, slice3cost_difference_1_18, slice3cost_difference_1_19 : integer range -255 to 255;
+  signal slice3cost_difference_1_20, slice3cost_difference_1_21, slice3cost_difference_1_22 : integer range -255 to 255;
+  signal slice3cost_difference_1_23, slice3cost_difference_1_24, slice3cost_difference_2_0 : integer range -255 to 255;
+  signal slice3cost_difference_2_1, slice3cost_difference_2_2, slice3cost_difference_2_3 : integer range -255 to 255;
+  signal slice3cost_difference_2_4, slice3cost_difference_2_5, slice3cost_difference_2_6 : integer range -255 to 255;
+  signal slice3cost_difference_2_7, slice3cost_difference_2_8, slice3cost_difference_2_9 : integer range -255 to 255;
+  signal slice3cost_difference_2_10, slice3cost_difference_2_11, slice3cost_difference_2_12 : integer range -255 to 255;
+  signal slice3cost_difference_2_13, slice3cost_difference_2_14, slice3cost_difference_2_15 : integer range -255 to 255;
+  signal slice3cost_difference_2_16, slice3cost_difference_2_17, slice3cost_difference_2_18 : integer range -255 to 255;
+  signal slice3cost_difference_2_19, slice3cost_difference_2_20, slice3cost_difference_2_21 : integer range -255 to 255;
+  signal slice3cost_difference_2_22, slice3cost_difference_2_23, slice3cost_difference_2_24 : integer range -255 to 255;
+  signal slice3cost_difference_3_0, slice3cost_difference_3_1, slice3cost_difference_3_2 : integer range -255 to 255;
+  signal slice3cost_difference_3_3, slice3cost_difference_3_4, slice3cost_difference_3_5 : integer range -255 to 255;
+  signal slice3cost_difference_3_6, slice3cost_difference_3_7, slice3cost_difference_3_8 : integer range -255 to 255;
+  signal slice3cost_difference_3_9, slice3cost_difference_3_10, slice3cost_difference_3_11 : integer range -255 to 255;
+  signal slice3cost_difference_3_12, slice3cost_difference_3_13, slice3cost_difference_3_14 : integer range -255 to 255;
+  signal slice3cost_difference_3_15, slice3cost_difference_3_16, slice3cost_difference_3_17 : integer range -255 to 255;
+  signal slice3cost_difference_3_18, slice3cost_difference_3_19, slice3cost_difference_3_20 : integer range -255 to 255;
+  signal slice3cost_difference_3_21, slice3cost_difference_3_22, slice3cost_difference_3_23 : integer range -255 to 255;
+  signal slice3cost_difference_3_24 : integer range -255 to 255;
+  signal slice3cost_reverse_0_0, slice3cost_reverse_0_1, slice3cost_reverse_0_2 : natural range 0 to 255;
+  signal slice3cost_reverse_0_3, slice3cost_reverse_0_4, slice3cost_reverse_0_5 : natural range 0 to 255;
+  signal slice3cost_reverse_0_6, slice3cost_reverse_0_7, slice3cost_reverse_0_8 : natural range 0 to 255;
+  signal slice3cost_reverse_0_9, slice3cost_reverse_0_10, slice3cost_reverse_0_11 : natural range 0 to 255;
+  signal slice3cost_reverse_0_12, slice3cost_reverse_0_13, slice3cost_reverse_0_14 : natural range 0 to 255;
+  signal slice3cost_reverse_0_15, slice3cost_reverse_0_16, slice3cost_reverse_0_17 : natural range 0 to 255;
+  signal slice3cost_reverse_0_18, slice3cost_reverse_0_19, slice3cost_reverse_0_20 : natural range 0 to 255;
+  signal slice3cost_reverse_0_21, slice3cost_reverse_0_22, slice3cost_reverse_0_23 : natural range 0 to 255;
+  signal slice3cost_reverse_0_24, slice3cost_single_0_0, slice3cost_single_0_1 : natural range 0 to 255;
+  signal slice3cost_single_0_2, slice3cost_single_0_3, slice3cost_single_0_4 : natural range 0 to 255;
+  signal slice3cost_single_0_5, slice3cost_single_0_6, slice3cost_single_0_7 : natural range 0 to 255;
+  signal slice3cost_single_0_8, slice3cost_single_0_9, slice3cost_single_0_10 : natural range 0 to 255;
+  signal slice3cost_single_0_11, slice3cost_single_0_12, slice3cost_single_0_13 : natural range 0 to 255;
+  signal slice3cost_single_0_14, slice3cost_single_0_15, slice3cost_single_0_16 : natural range 0 to 255;
+  signal slice3cost_single_0_17, slice3cost_single_0_18, slice3cost_single_0_19 : natural range 0 to 255;
+  signal slice3cost_single_0_20, slice3cost_single_0_21, slice3cost_single_0_22 : natural range 0 to 255;
+  signal slice3cost_single_0_23, slice3cost_single_0_24, slice3cost_single_3_0 : natural range 0 to 255;
+  signal slice3cost_single_3_1, slice3cost_single_3_2, slice3cost_single_3_3 : natural range 0 to 255;
+  signal slice3cost_single_3_4, slice3cost_single_3_5, slice3cost_single_3_6 : natural range 0 to 255;
+  signal slice3cost_single_3_7, slice3cost_single_3_8, slice3cost_single_3_9 : natural range 0 to 255;
+  signal slice3cost_single_3_10, slice3cost_single_3_11, slice3cost_single_3_12 : natural range 0 to 255;
+  signal slice3cost_single_3_13, slice3cost_single_3_14, slice3cost_single_3_15 : natural range 0 to 255;
+  signal slice3cost_single_3_16, slice3cost_single_3_17, slice3cost_single_3_18 : natural range 0 to 255;
+  signal slice3cost_single_3_19, slice3cost_single_3_20, slice3cost_single_3_21 : natural range 0 to 255;
+  signal slice3cost_single_3_22, slice3cost_single_3_23, slice3cost_single_3_24 : natural range 0 to 255;
+  signal slice3cost_pair_0_0, slice3cost_pair_0_1, slice3cost_pair_0_2, slice3cost_pair_0_3 : natural range 0 to 511;
+  signal slice3cost_pair_0_4, slice3cost_pair_0_5, slice3cost_pair_0_6, slice3cost_pair_0_7 : natural range 0 to 511;
+  signal slice3cost_pair_0_8, slice3cost_pair_0_9, slice3cost_pair_0_10, slice3cost_pair_0_11 : natural range 0 to 511;
+  signal slice3cost_pair_0_12, slice3cost_pair_0_13, slice3cost_pair_0_14 : natural range 0 to 511;
+  signal slice3cost_pair_0_15, slice3cost_pair_0_16, slice3cost_pair_0_17 : natural range 0 to 511;
+  signal slice3cost_pair_0_18, slice3cost_pair_0_19, slice3cost_pair_0_20 : natural range 0 to 511;
+  signal slice3cost_pair_0_21, slice3cost_pair_0_22, slice3cost_pair_0_23 : natural range 0 to 511;
+  signal slice3cost_pair_0_24 : natural range 0 to 511;
+  signal slice3cost_negative_0_0, slice3cost_negative_0_1, slice3cost_negative_0_2, slice3cost_negative_0_3 : boolean;
+  signal slice3cost_negative_0_4, slice3cost_negative_0_5, slice3cost_negative_0_6, slice3cost_negative_0_7 : boolean;
+  signal slice3cost_negative_0_8, slice3cost_negative_0_9, slice3cost_negative_0_10, slice3cost_negative_0_11 : boolean;
+  signal slice3cost_negative_0_12, slice3cost_negative_0_13, slice3cost_negative_0_14 : boolean;
+  signal slice3cost_negative_0_15, slice3cost_negative_0_16, slice3cost_negative_0_17 : boolean;
+  signal slice3cost_negative_0_18, slice3cost_negative_0_19, slice3cost_negative_0_20 : boolean;
+  signal slice3cost_negative_0_21, slice3cost_negative_0_22, slice3cost_negative_0_23 : boolean;
+  signal slice3cost_negative_0_24, slice3cost_negative_3_0, slice3cost_negative_3_1, slice3cost_negative_3_2 : boolean;
+  signal slice3cost_negative_3_3, slice3cost_negative_3_4, slice3cost_negative_3_5, slice3cost_negative_3_6 : boolean;
+  signal slice3cost_negative_3_7, slice3cost_negative_3_8, slice3cost_negative_3_9, slice3cost_negative_3_10 : boolean;
+  signal slice3cost_negative_3_11, slice3cost_negative_3_12, slice3cost_negative_3_13 : boolean;
+  signal slice3cost_negative_3_14, slice3cost_negative_3_15, slice3cost_negative_3_16 : boolean;
+  signal slice3cost_negative_3_17, slice3cost_negative_3_18, slice3cost_negative_3_19 : boolean;
+  signal slice3cost_negative_3_20, slice3cost_negative_3_21, slice3cost_negative_3_22 : boolean;
+  signal slice3cost_negative_3_23, slice3cost_negative_3_24 : boolean;
+  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 767;
+  signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 767;
+  signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 767;
+  signal slice3cost_column_0_9, slice3cost_column_0_10, slice3cost_column_0_11 : natural range 0 to 767;
+  signal slice3cost_column_0_12, slice3cost_column_0_13, slice3cost_column_0_14 : natural range 0 to 767;
+  signal slice3cost_column_0_15, slice3cost_column_0_16, slice3cost_column_0_17 : natural range 0 to 767;
+  signal slice3cost_column_0_18, slice3cost_column_0_19, slice3cost_column_0_20 : natural range 0 to 767;
+  signal slice3cost_column_0_21, slice3cost_column_0_22, slice3cost_column_0_23 : natural range 0 to 767;
+  signal slice3cost_column_0_24, slice3cost_column_1_0, slice3cost_column_1_1 : natural range 0 to 767;
+  signal slice3cost_column_1_2, slice3cost_column_1_3, slice3cost_column_1_4 : natural range 0 to 767;
+  signal slice3cost_column_1_5, slice3cost_column_1_6, slice3cost_column_1_7 : natural range 0 to 767;
+  signal slice3cost_column_1_8, slice3cost_column_1_9, slice3cost_column_1_10 : natural range 0 to 767;
+  signal slice3cost_column_1_11, slice3cost_column_1_12, slice3cost_column_1_13 : natural range 0 to 767;
+  signal slice3cost_column_1_14, slice3cost_column_1_15, slice3cost_column_1_16 : natural range 0 to 767;
+  signal slice3cost_column_1_17, slice3cost_column_1_18, slice3cost_column_1_19 : natural range 0 to 767;
+  signal slice3cost_column_1_20, slice3cost_column_1_21, slice3cost_column_1_22 : natural range 0 to 767;
+  signal slice3cost_column_1_23, slice3cost_column_1_24 : natural range 0 to 767;
+  -- slice3window
+  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 767;
+  signal slice3window_partial_0_0_3, slice3window_partial_0_0_4, slice3window_partial_0_0_5 : natural range 0 to 767;
+  signal slice3window_partial_0_0_6, slice3window_partial_0_0_7, slice3window_partial_0_0_8 : natural range 0 to 767;
+  signal slice3window_partial_0_0_9, slice3window_partial_0_0_10, slice3window_partial_0_0_11 : natural range 0 to 767;
+  signal slice3window_partial_0_0_12, slice3window_partial_0_0_13, slice3window_partial_0_0_14 : natural range 0 to 767;
+  signal slice3window_partial_0_0_15, slice3window_partial_0_0_16, slice3window_partial_0_0_17 : natural range 0 to 767;
+  signal slice3window_partial_0_0_18, slice3window_partial_0_0_19, slice3window_partial_0_0_20 : natural range 0 to 767;
+  signal slice3window_partial_0_0_21, slice3window_partial_0_0_22, slice3window_partial_0_0_23 : natural range 0 to 767;
+  signal slice3window_partial_0_0_24, slice3window_partial_1_0_0, slice3window_partial_1_0_1 : natural range 0 to 767;
+  signal slice3window_partial_1_0_2, slice3window_partial_1_0_3, slice3window_partial_1_0_4 : natural range 0 to 767;
+  signal slice3window_partial_1_0_5, slice3window_partial_1_0_6, slice3window_partial_1_0_7 : natural range 0 to 767;
+  signal slice3window_partial_1_0_8, slice3window_partial_1_0_9, slice3window_partial_1_0_10 : natural range 0 to 767;
+  signal slice3window_partial_1_0_11, slice3window_partial_1_0_12, slice3window_partial_1_0_13 : natural range 0 to 767;
+  signal slice3window_partial_1_0_14, slice3window_partial_1_0_15, slice3window_partial_1_0_16 : natural range 0 to 767;
+  signal slice3window_partial_1_0_17, slice3window_partial_1_0_18, slice3window_partial_1_0_19 : natural range 0 to 767;
+  signal slice3window_partial_1_0_20, slice3window_partial_1_0_21, slice3window_partial_1_0_22 : natural range 0 to 767;
+  signal slice3window_partial_1_0_23, slice3window_partial_1_0_24 : natural range 0 to 767;
+  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_3, slice3window_partial_0_1_4, slice3window_partial_0_1_5 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_6, slice3window_partial_0_1_7, slice3window_partial_0_1_8 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_9, slice3window_partial_0_1_10, slice3window_partial_0_1_11 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_12, slice3window_partial_0_1_13 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_14, slice3window_partial_0_1_15 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_16, slice3window_partial_0_1_17 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_18, slice3window_partial_0_1_19 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1534;
+  signal slice3window_partial_0_1_24, slice3window_partial_1_1_0, slice3window_partial_1_1_1 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_2, slice3window_partial_1_1_3, slice3window_partial_1_1_4 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_5, slice3window_partial_1_1_6, slice3window_partial_1_1_7 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_8, slice3window_partial_1_1_9, slice3window_partial_1_1_10 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_11, slice3window_partial_1_1_12 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_13, slice3window_partial_1_1_14 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_15, slice3window_partial_1_1_16 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_17, slice3window_partial_1_1_18 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_19, slice3window_partial_1_1_20 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_21, slice3window_partial_1_1_22 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_23, slice3window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2301;
+  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2301;
+  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2301;
+  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 2301;
+  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 2301;
+  signal slice3window_sum_0_15, slice3window_sum_0_16, slice3window_sum_0_17 : natural range 0 to 2301;
+  signal slice3window_sum_0_18, slice3window_sum_0_19, slice3window_sum_0_20 : natural range 0 to 2301;
+  signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 2301;
+  signal slice3window_sum_0_24, slice3window_sum_1_0, slice3window_sum_1_1 : natural range 0 to 2301;
+  signal slice3window_sum_1_2, slice3window_sum_1_3, slice3window_sum_1_4 : natural range 0 to 2301;
+  signal slice3window_sum_1_5, slice3window_sum_1_6, slice3window_sum_1_7 : natural range 0 to 2301;
+  signal slice3window_sum_1_8, slice3window_sum_1_9, slice3window_sum_1_10 : natural range 0 to 2301;
+  signal slice3window_sum_1_11, slice3window_sum_1_12, slice3window_sum_1_13 : natural range 0 to 2301;
+  signal slice3window_sum_1_14, slice3window_sum_1_15, slice3window_sum_1_16 : natural range 0 to 2301;
+  signal slice3window_sum_1_17, slice3window_sum_1_18, slice3window_sum_1_19 : natural range 0 to 2301;
+  signal slice3window_sum_1_20, slice3window_sum_1_21, slice3window_sum_1_22 : natural range 0 to 2301;
+  signal slice3window_sum_1_23, slice3window_sum_1_24 : natural range 0 to 2301;
+  -- slice3winner1
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_0_12, slice3winner1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_1, slice3winner1_best_cost_1_2 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_3, slice3winner1_best_cost_1_4 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_5, slice3winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_7, slice3winner1_best_cost_1_8 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_9, slice3winner1_best_cost_1_10 : natural range 0 to 2301;
+  signal slice3winner1_best_cost_1_11, slice3winner1_best_cost_1_12 : natural range 0 to 2301;
+  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : boolean;
+  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 5;
+  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 9;
+  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_6, slice3winner1_best_index_1_6 : natural range 0 to 13;
+  signal slice3winner1_best_index_0_7, slice3winner1_best_index_1_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_8, slice3winner1_best_index_1_8 : natural range 0 to 17;
+  signal slice3winner1_best_index_0_9, slice3winner1_best_index_1_9 : natural range 0 to 19;
+  signal slice3winner1_best_index_0_10, slice3winner1_best_index_1_10 : natural range 0 to 21;
+  signal slice3winner1_best_index_0_11, slice3winner1_best_index_1_11 : natural range 0 to 23;
+  -- slice3winner2
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_0_6, slice3winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_1, slice3winner2_best_cost_1_2 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_3, slice3winner2_best_cost_1_4 : natural range 0 to 2301;
+  signal slice3winner2_best_cost_1_5, slice3winner2_best_cost_1_6 : natural range 0 to 2301;
+  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 3;
+  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 7;
+  signal slice3winner2_best_index_0_2, slice3winner2_best_index_1_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0_3, slice3winner2_best_index_1_3 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_4, slice3winner2_best_index_1_4 : natural range 0 to 19;
+  signal slice3winner2_best_index_0_5, slice3winner2_best_index_1_5 : natural range 0 to 23;
+  -- slice3winner3
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_1_0, slice3winner3_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner3_best_cost_1_2, slice3winner3_best_cost_1_3 : natural range 0 to 2301;
+  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 7;
+  signal slice3winner3_best_index_0_1, slice3winner3_best_index_1_1 : natural range 0 to 15;
+  signal slice3winner3_best_index_0_2, slice3winner3_best_index_1_2 : natural range 0 to 23;
+  -- slice3winner4
+  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 2301;
+  signal slice3winner4_best_cost_1_0, slice3winner4_best_cost_1_1 : natural range 0 to 2301;
+  signal slice3winner4_best_index_0_0, slice3winner4_best_index_1_0 : natural range 0 to 15;
+  signal slice3winner4_best_index_0_1, slice3winner4_best_index_1_1 : natural range 0 to 24;
+  -- slice3winner5
+  signal slice3winner5_best_cost_0_0, slice3winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice3winner5_best_index_0_0, slice3winner5_best_index_1_0 : natural range 0 to 24;
+  -- slice3
+  signal slice3_best_index_0_0, slice3_best_index_1_0 : natural range 0 to 99;
+  signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
+  signal slice3_best_tag_end_of_line : boolean;
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  disparity <= std_logic_vector(to_unsigned(slice3_best_index_1_0, 8) & to_unsigned(slice3_best_index_0_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(3, 2));
+  disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice3_best_tag_end_of_line and slice3_best_tag_valid and slice3_best_tag_output_column);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference, 16);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 100, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
+    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
+    variable delay_row_inside_0_value_2, delay_row_inside_0_choice, delay_row_inside_0_choice_2 : boolean;
+    variable delay_row_inside_1_value, delay_row_inside_1_choice, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
+    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
+    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
+    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
+    variable slice0winner1_best_cost_0_11_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner1_best_cost_1_1_is_less, slice0winner1_best_cost_1_2_is_less : boolean;
+    variable slice0winner1_best_cost_1_3_is_less, slice0winner1_best_cost_1_4_is_less : boolean;
+    variable slice0winner1_best_cost_1_5_is_less, slice0winner1_best_cost_1_6_is_less : boolean;
+    variable slice0winner1_best_cost_1_7_is_less, slice0winner1_best_cost_1_8_is_less : boolean;
+    variable slice0winner1_best_cost_1_9_is_less, slice0winner1_best_cost_1_10_is_less : boolean;
+    variable slice0winner1_best_cost_1_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
+    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_5_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_1_1_is_less, slice0winner2_best_cost_1_2_is_less : boolean;
+    variable slice0winner2_best_cost_1_3_is_less, slice0winner2_best_cost_1_4_is_less : boolean;
+    variable slice0winner2_best_cost_1_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
+    variable slice0winner3_best_cost_1_0_is_less, slice0winner3_best_cost_1_1_is_less : boolean;
+    variable slice0winner3_best_cost_1_2_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
+    variable slice0winner4_best_cost_0_1_is_less, slice0winner4_best_cost_1_0_is_less : boolean;
+    variable slice0winner4_best_cost_1_1_is_less, slice0winner5_best_cost_0_0_is_less : boolean;
+    variable slice0winner5_best_cost_1_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
+    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
+    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
+    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
+    variable slice1winner1_best_cost_0_11_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
+    variable slice1winner1_best_cost_1_3_is_less, slice1winner1_best_cost_1_4_is_less : boolean;
+    variable slice1winner1_best_cost_1_5_is_less, slice1winner1_best_cost_1_6_is_less : boolean;
+    variable slice1winner1_best_cost_1_7_is_less, slice1winner1_best_cost_1_8_is_less : boolean;
+    variable slice1winner1_best_cost_1_9_is_less, slice1winner1_best_cost_1_10_is_less : boolean;
+    variable slice1winner1_best_cost_1_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_5_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_1_is_less, slice1winner2_best_cost_1_2_is_less : boolean;
+    variable slice1winner2_best_cost_1_3_is_less, slice1winner2_best_cost_1_4_is_less : boolean;
+    variable slice1winner2_best_cost_1_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
+    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_1_1_is_less : boolean;
+    variable slice1winner3_best_cost_1_2_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice1winner4_best_cost_0_1_is_less, slice1winner4_best_cost_1_0_is_less : boolean;
+    variable slice1winner4_best_cost_1_1_is_less, slice1winner5_best_cost_0_0_is_less : boolean;
+    variable slice1winner5_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
+    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
+    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
+    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
+    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
+    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_1_1_is_less : boolean;
+    variable slice2winner1_best_cost_1_2_is_less, slice2winner1_best_cost_1_3_is_less : boolean;
+    variable slice2winner1_best_cost_1_4_is_less, slice2winner1_best_cost_1_5_is_less : boolean;
+    variable slice2winner1_best_cost_1_6_is_less, slice2winner1_best_cost_1_7_is_less : boolean;
+    variable slice2winner1_best_cost_1_8_is_less, slice2winner1_best_cost_1_9_is_less : boolean;
+    variable slice2winner1_best_cost_1_10_is_less, slice2winner1_best_cost_1_11_is_less : boolean;
+    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
+    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
+    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
+    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_1_1_is_less : boolean;
+    variable slice2winner2_best_cost_1_2_is_less, slice2winner2_best_cost_1_3_is_less : boolean;
+    variable slice2winner2_best_cost_1_4_is_less, slice2winner2_best_cost_1_5_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
+    variable slice2winner3_best_cost_0_2_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
+    variable slice2winner3_best_cost_1_1_is_less, slice2winner3_best_cost_1_2_is_less : boolean;
+    variable slice2winner4_best_cost_0_0_is_less, slice2winner4_best_cost_0_1_is_less : boolean;
+    variable slice2winner4_best_cost_1_0_is_less, slice2winner4_best_cost_1_1_is_less : boolean;
+    variable slice2winner5_best_cost_0_0_is_less, slice2winner5_best_cost_1_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
+    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
+    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
+    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
+    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
+    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
+    variable slice3winner1_best_cost_0_11_is_less, slice3winner1_best_cost_1_0_is_less : boolean;
+    variable slice3winner1_best_cost_1_1_is_less, slice3winner1_best_cost_1_2_is_less : boolean;
+    variable slice3winner1_best_cost_1_3_is_less, slice3winner1_best_cost_1_4_is_less : boolean;
+    variable slice3winner1_best_cost_1_5_is_less, slice3winner1_best_cost_1_6_is_less : boolean;
+    variable slice3winner1_best_cost_1_7_is_less, slice3winner1_best_cost_1_8_is_less : boolean;
+    variable slice3winner1_best_cost_1_9_is_less, slice3winner1_best_cost_1_10_is_less : boolean;
+    variable slice3winner1_best_cost_1_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
+    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
+    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
+    variable slice3winner2_best_cost_0_5_is_less, slice3winner2_best_cost_1_0_is_less : boolean;
+    variable slice3winner2_best_cost_1_1_is_less, slice3winner2_best_cost_1_2_is_less : boolean;
+    variable slice3winner2_best_cost_1_3_is_less, slice3winner2_best_cost_1_4_is_less : boolean;
+    variable slice3winner2_best_cost_1_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
+    variable slice3winner3_best_cost_1_0_is_less, slice3winner3_best_cost_1_1_is_less : boolean;
+    variable slice3winner3_best_cost_1_2_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
+    variable slice3winner4_best_cost_0_1_is_less, slice3winner4_best_cost_1_0_is_less : boolean;
+    variable slice3winner4_best_cost_1_1_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
+    variable slice3winner5_best_cost_1_0_is_less : boolean;
+    variable raster_place_group_choice, delay_row_inside_0_value : natural range 0 to 15;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 127;
+    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_8_choice, slice0cost_pair_0_9_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_10_choice, slice0cost_pair_0_11_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_12_choice, slice0cost_pair_0_13_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_14_choice, slice0cost_pair_0_15_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_16_choice, slice0cost_pair_0_17_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_18_choice, slice0cost_pair_0_19_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_20_choice, slice0cost_pair_0_21_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_22_choice, slice0cost_pair_0_23_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_24_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_3_choice, slice1cost_pair_0_4_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_5_choice, slice1cost_pair_0_6_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_7_choice, slice1cost_pair_0_8_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_9_choice, slice1cost_pair_0_10_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_11_choice, slice1cost_pair_0_12_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_13_choice, slice1cost_pair_0_14_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_15_choice, slice1cost_pair_0_16_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_17_choice, slice1cost_pair_0_18_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_19_choice, slice1cost_pair_0_20_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_21_choice, slice1cost_pair_0_22_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_23_choice, slice1cost_pair_0_24_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_2_choice, slice2cost_pair_0_3_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_4_choice, slice2cost_pair_0_5_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_6_choice, slice2cost_pair_0_7_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_8_choice, slice2cost_pair_0_9_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_10_choice, slice2cost_pair_0_11_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_12_choice, slice2cost_pair_0_13_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_14_choice, slice2cost_pair_0_15_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_16_choice, slice2cost_pair_0_17_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_18_choice, slice2cost_pair_0_19_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_20_choice, slice2cost_pair_0_21_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_22_choice, slice2cost_pair_0_23_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_24_choice, slice3cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_1_choice, slice3cost_pair_0_2_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_3_choice, slice3cost_pair_0_4_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_5_choice, slice3cost_pair_0_6_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_7_choice, slice3cost_pair_0_8_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_9_choice, slice3cost_pair_0_10_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_11_choice, slice3cost_pair_0_12_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_13_choice, slice3cost_pair_0_14_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_15_choice, slice3cost_pair_0_16_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_17_choice, slice3cost_pair_0_18_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_19_choice, slice3cost_pair_0_20_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_21_choice, slice3cost_pair_0_22_choice : natural range 0 to 255;
+    variable slice3cost_pair_0_23_choice, slice3cost_pair_0_24_choice : natural range 0 to 255;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 319;
+      raster_place_group_is_equal_2 := raster_place_group = 119;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 15 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 60;
+      raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not ((raster_place_group mod 2) =
+        1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and in_valid;
+      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 120) else
+        (raster_place_group + 1) mod 128;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
+        raster_place_group;
+      raster_features_search_0 <= in_left_pixel mod 256;
+      raster_features_search_1 <= in_left_pixel / 256;
+      raster_features_reference <= in_right_pixel;
+      raster_features_valid <= in_valid;
+      raster_place_group <= raster_place_group_choice * 8 when in_start_of_frame and in_valid else
+        raster_place_group_choice_4;
+      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_features_start_of_frame;
+      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
+        raster_place_group_is_equal_3 else raster_features_start_of_frame;
+      if in_valid then
+        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
+          and in_start_of_frame;
+        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
+          mod 512;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 99 else (delay_ring_read_address + 1) mod 128;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_value := (raster_place_group / 2) mod 16;
+      delay_row_inside_0_value_2 := ((raster_place_group / 32) mod 2) = 1;
+      delay_row_inside_0_choice := not delay_row_inside_0_value_2 when (raster_place_group / 64) = 1 else
+        delay_row_inside_0_value_2;
+      delay_row_inside_0_choice_2 := delay_row_inside_0_choice when delay_row_inside_0_value = 0 else (not
+        ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2);
+      delay_row_inside_1_value := ((raster_place_group / 8) mod 2) = 1;
+      delay_row_inside_1_choice := ((raster_place_group mod 2) = 1) and ((raster_place_group / 64) = 1) and
+        delay_row_inside_1_value when ((raster_place_group / 2) mod 4) = 0 else ((raster_place_group / 64) = 1) and
+        delay_row_inside_1_value;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_ahead_1 <= raster_features_search_1;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_choice_2 when ((((raster_place_group / 4) mod 2) = 1) or
+        (((raster_place_group / 2) mod 2) = 1)) and (((raster_place_group / 8) mod 4) = 3) else
+        (delay_row_inside_0_value /= 0) or ((raster_place_group / 64) = 1) or delay_row_inside_0_value_2;
+      delay_row_inside_1 <= (not ((raster_place_group = 0) and ((raster_place_group / 2) = 0))) and ((not
+        delay_row_inside_1_choice) or (not delay_row_inside_0_value_2) or (not (((raster_place_group / 16) mod 2) =
+        1)));
+      delay_row_inside_3 <= (not ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2) or (not
+        (((raster_place_group / 16) mod 2) = 1)) or (not delay_row_inside_1_value);
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= raster_place_column < 99;
+      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 120) and (((raster_place_column + 65437)
+        mod 65536) < 220);
+      delay_tag_start_of_frame <= (raster_place_column = 99) and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_column = 318;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_read_newest_1 <= delay_ahead_1;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_search_rows_ready_newest_1 <= rows_search_rows_read_newest_1;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
+      rows_reference_rows_read_newest_1 <= to_integer(delay_delayed_0(15 downto 8));
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_reference_rows_ready_newest_1 <= rows_reference_rows_read_newest_1;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
+      rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
+      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
+          256) + (rows_search_rows_ready_newest_1 * 65536);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 65536) +
+          (rows_reference_rows_ready_newest_0 * 256) + (rows_reference_rows_ready_newest_1 * 65536);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= slice0shift_search_0_3;
+        slice0shift_search_0_3 <= slice0shift_search_0_4;
+        slice0shift_search_0_4 <= slice0shift_search_0_5;
+        slice0shift_search_0_5 <= slice0shift_search_0_6;
+        slice0shift_search_0_6 <= slice0shift_search_0_7;
+        slice0shift_search_0_7 <= slice0shift_search_0_8;
+        slice0shift_search_0_8 <= slice0shift_search_0_9;
+        slice0shift_search_0_9 <= slice0shift_search_0_10;
+        slice0shift_search_0_10 <= slice0shift_search_0_11;
+        slice0shift_search_0_11 <= slice0shift_search_0_12;
+        slice0shift_search_0_12 <= slice0shift_search_0_13;
+        slice0shift_search_0_13 <= slice0shift_search_0_14;
+        slice0shift_search_0_14 <= slice0shift_search_0_15;
+        slice0shift_search_0_15 <= slice0shift_search_0_16;
+        slice0shift_search_0_16 <= slice0shift_search_0_17;
+        slice0shift_search_0_17 <= slice0shift_search_0_18;
+        slice0shift_search_0_18 <= slice0shift_search_0_19;
+        slice0shift_search_0_19 <= slice0shift_search_0_20;
+        slice0shift_search_0_20 <= slice0shift_search_0_21;
+        slice0shift_search_0_21 <= slice0shift_search_0_22;
+        slice0shift_search_0_22 <= slice0shift_search_0_23;
+        slice0shift_search_0_23 <= slice0shift_search_0_24;
+        slice0shift_search_0_24 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= slice0shift_search_1_3;
+        slice0shift_search_1_3 <= slice0shift_search_1_4;
+        slice0shift_search_1_4 <= slice0shift_search_1_5;
+        slice0shift_search_1_5 <= slice0shift_search_1_6;
+        slice0shift_search_1_6 <= slice0shift_search_1_7;
+        slice0shift_search_1_7 <= slice0shift_search_1_8;
+        slice0shift_search_1_8 <= slice0shift_search_1_9;
+        slice0shift_search_1_9 <= slice0shift_search_1_10;
+        slice0shift_search_1_10 <= slice0shift_search_1_11;
+        slice0shift_search_1_11 <= slice0shift_search_1_12;
+        slice0shift_search_1_12 <= slice0shift_search_1_13;
+        slice0shift_search_1_13 <= slice0shift_search_1_14;
+        slice0shift_search_1_14 <= slice0shift_search_1_15;
+        slice0shift_search_1_15 <= slice0shift_search_1_16;
+        slice0shift_search_1_16 <= slice0shift_search_1_17;
+        slice0shift_search_1_17 <= slice0shift_search_1_18;
+        slice0shift_search_1_18 <= slice0shift_search_1_19;
+        slice0shift_search_1_19 <= slice0shift_search_1_20;
+        slice0shift_search_1_20 <= slice0shift_search_1_21;
+        slice0shift_search_1_21 <= slice0shift_search_1_22;
+        slice0shift_search_1_22 <= slice0shift_search_1_23;
+        slice0shift_search_1_23 <= slice0shift_search_1_24;
+        slice0shift_search_1_24 <= rows_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= slice0shift_search_2_3;
+        slice0shift_search_2_3 <= slice0shift_search_2_4;
+        slice0shift_search_2_4 <= slice0shift_search_2_5;
+        slice0shift_search_2_5 <= slice0shift_search_2_6;
+        slice0shift_search_2_6 <= slice0shift_search_2_7;
+        slice0shift_search_2_7 <= slice0shift_search_2_8;
+        slice0shift_search_2_8 <= slice0shift_search_2_9;
+        slice0shift_search_2_9 <= slice0shift_search_2_10;
+        slice0shift_search_2_10 <= slice0shift_search_2_11;
+        slice0shift_search_2_11 <= slice0shift_search_2_12;
+        slice0shift_search_2_12 <= slice0shift_search_2_13;
+        slice0shift_search_2_13 <= slice0shift_search_2_14;
+        slice0shift_search_2_14 <= slice0shift_search_2_15;
+        slice0shift_search_2_15 <= slice0shift_search_2_16;
+        slice0shift_search_2_16 <= slice0shift_search_2_17;
+        slice0shift_search_2_17 <= slice0shift_search_2_18;
+        slice0shift_search_2_18 <= slice0shift_search_2_19;
+        slice0shift_search_2_19 <= slice0shift_search_2_20;
+        slice0shift_search_2_20 <= slice0shift_search_2_21;
+        slice0shift_search_2_21 <= slice0shift_search_2_22;
+        slice0shift_search_2_22 <= slice0shift_search_2_23;
+        slice0shift_search_2_23 <= slice0shift_search_2_24;
+        slice0shift_search_2_24 <= rows_search_2;
+        slice0shift_search_3_0 <= slice0shift_search_3_1;
+        slice0shift_search_3_1 <= slice0shift_search_3_2;
+        slice0shift_search_3_2 <= slice0shift_search_3_3;
+        slice0shift_search_3_3 <= slice0shift_search_3_4;
+        slice0shift_search_3_4 <= slice0shift_search_3_5;
+        slice0shift_search_3_5 <= slice0shift_search_3_6;
+        slice0shift_search_3_6 <= slice0shift_search_3_7;
+        slice0shift_search_3_7 <= slice0shift_search_3_8;
+        slice0shift_search_3_8 <= slice0shift_search_3_9;
+        slice0shift_search_3_9 <= slice0shift_search_3_10;
+        slice0shift_search_3_10 <= slice0shift_search_3_11;
+        slice0shift_search_3_11 <= slice0shift_search_3_12;
+        slice0shift_search_3_12 <= slice0shift_search_3_13;
+        slice0shift_search_3_13 <= slice0shift_search_3_14;
+        slice0shift_search_3_14 <= slice0shift_search_3_15;
+        slice0shift_search_3_15 <= slice0shift_search_3_16;
+        slice0shift_search_3_16 <= slice0shift_search_3_17;
+        slice0shift_search_3_17 <= slice0shift_search_3_18;
+        slice0shift_search_3_18 <= slice0shift_search_3_19;
+        slice0shift_search_3_19 <= slice0shift_search_3_20;
+        slice0shift_search_3_20 <= slice0shift_search_3_21;
+        slice0shift_search_3_21 <= slice0shift_search_3_22;
+        slice0shift_search_3_22 <= slice0shift_search_3_23;
+        slice0shift_search_3_23 <= slice0shift_search_3_24;
+        slice0shift_search_3_24 <= rows_search_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_search_out_3 <= slice0shift_search_3_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
+        positive_part(slice0cost_difference_2_0);
+      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
+        positive_part(slice0cost_difference_2_1);
+      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
+        positive_part(slice0cost_difference_2_2);
+      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
+        positive_part(slice0cost_difference_2_3);
+      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
+        positive_part(slice0cost_difference_2_4);
+      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
+        positive_part(slice0cost_difference_2_5);
+      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
+        positive_part(slice0cost_difference_2_6);
+      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
+        positive_part(slice0cost_difference_2_7);
+      slice0cost_pair_0_8_choice := slice0cost_reverse_0_8 when slice0cost_difference_2_8 < 0 else
+        positive_part(slice0cost_difference_2_8);
+      slice0cost_pair_0_9_choice := slice0cost_reverse_0_9 when slice0cost_difference_2_9 < 0 else
+        positive_part(slice0cost_difference_2_9);
+      slice0cost_pair_0_10_choice := slice0cost_reverse_0_10 when slice0cost_difference_2_10 < 0 else
+        positive_part(slice0cost_difference_2_10);
+      slice0cost_pair_0_11_choice := slice0cost_reverse_0_11 when slice0cost_difference_2_11 < 0 else
+        positive_part(slice0cost_difference_2_11);
+      slice0cost_pair_0_12_choice := slice0cost_reverse_0_12 when slice0cost_difference_2_12 < 0 else
+        positive_part(slice0cost_difference_2_12);
+      slice0cost_pair_0_13_choice := slice0cost_reverse_0_13 when slice0cost_difference_2_13 < 0 else
+        positive_part(slice0cost_difference_2_13);
+      slice0cost_pair_0_14_choice := slice0cost_reverse_0_14 when slice0cost_difference_2_14 < 0 else
+        positive_part(slice0cost_difference_2_14);
+      slice0cost_pair_0_15_choice := slice0cost_reverse_0_15 when slice0cost_difference_2_15 < 0 else
+        positive_part(slice0cost_difference_2_15);
+      slice0cost_pair_0_16_choice := slice0cost_reverse_0_16 when slice0cost_difference_2_16 < 0 else
+        positive_part(slice0cost_difference_2_16);
+      slice0cost_pair_0_17_choice := slice0cost_reverse_0_17 when slice0cost_difference_2_17 < 0 else
+        positive_part(slice0cost_difference_2_17);
+      slice0cost_pair_0_18_choice := slice0cost_reverse_0_18 when slice0cost_difference_2_18 < 0 else
+        positive_part(slice0cost_difference_2_18);
+      slice0cost_pair_0_19_choice := slice0cost_reverse_0_19 when slice0cost_difference_2_19 < 0 else
+        positive_part(slice0cost_difference_2_19);
+      slice0cost_pair_0_20_choice := slice0cost_reverse_0_20 when slice0cost_difference_2_20 < 0 else
+        positive_part(slice0cost_difference_2_20);
+      slice0cost_pair_0_21_choice := slice0cost_reverse_0_21 when slice0cost_difference_2_21 < 0 else
+        positive_part(slice0cost_difference_2_21);
+      slice0cost_pair_0_22_choice := slice0cost_reverse_0_22 when slice0cost_difference_2_22 < 0 else
+        positive_part(slice0cost_difference_2_22);
+      slice0cost_pair_0_23_choice := slice0cost_reverse_0_23 when slice0cost_difference_2_23 < 0 else
+        positive_part(slice0cost_difference_2_23);
+      slice0cost_pair_0_24_choice := slice0cost_reverse_0_24 when slice0cost_difference_2_24 < 0 else
+        positive_part(slice0cost_difference_2_24);
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_difference_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
+      slice0cost_difference_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
+      slice0cost_difference_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
+      slice0cost_difference_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
+      slice0cost_difference_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
+      slice0cost_difference_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
+      slice0cost_difference_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
+      slice0cost_difference_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
+      slice0cost_difference_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
+      slice0cost_difference_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
+      slice0cost_difference_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
+      slice0cost_difference_0_16 <= slice0shift_search_0_16 - slice0shift_reference_0;
+      slice0cost_difference_0_17 <= slice0shift_search_0_17 - slice0shift_reference_0;
+      slice0cost_difference_0_18 <= slice0shift_search_0_18 - slice0shift_reference_0;
+      slice0cost_difference_0_19 <= slice0shift_search_0_19 - slice0shift_reference_0;
+      slice0cost_difference_0_20 <= slice0shift_search_0_20 - slice0shift_reference_0;
+      slice0cost_difference_0_21 <= slice0shift_search_0_21 - slice0shift_reference_0;
+      slice0cost_difference_0_22 <= slice0shift_search_0_22 - slice0shift_reference_0;
+      slice0cost_difference_0_23 <= slice0shift_search_0_23 - slice0shift_reference_0;
+      slice0cost_difference_0_24 <= slice0shift_search_0_24 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
+      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
+      slice0cost_difference_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
+      slice0cost_difference_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
+      slice0cost_difference_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
+      slice0cost_difference_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
+      slice0cost_difference_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
+      slice0cost_difference_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
+      slice0cost_difference_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
+      slice0cost_difference_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
+      slice0cost_difference_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
+      slice0cost_difference_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
+      slice0cost_difference_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
+      slice0cost_difference_1_16 <= slice0shift_search_1_16 - slice0shift_reference_1;
+      slice0cost_difference_1_17 <= slice0shift_search_1_17 - slice0shift_reference_1;
+      slice0cost_difference_1_18 <= slice0shift_search_1_18 - slice0shift_reference_1;
+      slice0cost_difference_1_19 <= slice0shift_search_1_19 - slice0shift_reference_1;
+      slice0cost_difference_1_20 <= slice0shift_search_1_20 - slice0shift_reference_1;
+      slice0cost_difference_1_21 <= slice0shift_search_1_21 - slice0shift_reference_1;
+      slice0cost_difference_1_22 <= slice0shift_search_1_22 - slice0shift_reference_1;
+      slice0cost_difference_1_23 <= slice0shift_search_1_23 - slice0shift_reference_1;
+      slice0cost_difference_1_24 <= slice0shift_search_1_24 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
+      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
+      slice0cost_difference_2_5 <= slice0shift_search_2_5 - slice0shift_reference_2;
+      slice0cost_difference_2_6 <= slice0shift_search_2_6 - slice0shift_reference_2;
+      slice0cost_difference_2_7 <= slice0shift_search_2_7 - slice0shift_reference_2;
+      slice0cost_difference_2_8 <= slice0shift_search_2_8 - slice0shift_reference_2;
+      slice0cost_difference_2_9 <= slice0shift_search_2_9 - slice0shift_reference_2;
+      slice0cost_difference_2_10 <= slice0shift_search_2_10 - slice0shift_reference_2;
+      slice0cost_difference_2_11 <= slice0shift_search_2_11 - slice0shift_reference_2;
+      slice0cost_difference_2_12 <= slice0shift_search_2_12 - slice0shift_reference_2;
+      slice0cost_difference_2_13 <= slice0shift_search_2_13 - slice0shift_reference_2;
+      slice0cost_difference_2_14 <= slice0shift_search_2_14 - slice0shift_reference_2;
+      slice0cost_difference_2_15 <= slice0shift_search_2_15 - slice0shift_reference_2;
+      slice0cost_difference_2_16 <= slice0shift_search_2_16 - slice0shift_reference_2;
+      slice0cost_difference_2_17 <= slice0shift_search_2_17 - slice0shift_reference_2;
+      slice0cost_difference_2_18 <= slice0shift_search_2_18 - slice0shift_reference_2;
+      slice0cost_difference_2_19 <= slice0shift_search_2_19 - slice0shift_reference_2;
+      slice0cost_difference_2_20 <= slice0shift_search_2_20 - slice0shift_reference_2;
+      slice0cost_difference_2_21 <= slice0shift_search_2_21 - slice0shift_reference_2;
+      slice0cost_difference_2_22 <= slice0shift_search_2_22 - slice0shift_reference_2;
+      slice0cost_difference_2_23 <= slice0shift_search_2_23 - slice0shift_reference_2;
+      slice0cost_difference_2_24 <= slice0shift_search_2_24 - slice0shift_reference_2;
+      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_difference_3_3 <= slice0shift_search_3_3 - slice0shift_reference_3;
+      slice0cost_difference_3_4 <= slice0shift_search_3_4 - slice0shift_reference_3;
+      slice0cost_difference_3_5 <= slice0shift_search_3_5 - slice0shift_reference_3;
+      slice0cost_difference_3_6 <= slice0shift_search_3_6 - slice0shift_reference_3;
+      slice0cost_difference_3_7 <= slice0shift_search_3_7 - slice0shift_reference_3;
+      slice0cost_difference_3_8 <= slice0shift_search_3_8 - slice0shift_reference_3;
+      slice0cost_difference_3_9 <= slice0shift_search_3_9 - slice0shift_reference_3;
+      slice0cost_difference_3_10 <= slice0shift_search_3_10 - slice0shift_reference_3;
+      slice0cost_difference_3_11 <= slice0shift_search_3_11 - slice0shift_reference_3;
+      slice0cost_difference_3_12 <= slice0shift_search_3_12 - slice0shift_reference_3;
+      slice0cost_difference_3_13 <= slice0shift_search_3_13 - slice0shift_reference_3;
+      slice0cost_difference_3_14 <= slice0shift_search_3_14 - slice0shift_reference_3;
+      slice0cost_difference_3_15 <= slice0shift_search_3_15 - slice0shift_reference_3;
+      slice0cost_difference_3_16 <= slice0shift_search_3_16 - slice0shift_reference_3;
+      slice0cost_difference_3_17 <= slice0shift_search_3_17 - slice0shift_reference_3;
+      slice0cost_difference_3_18 <= slice0shift_search_3_18 - slice0shift_reference_3;
+      slice0cost_difference_3_19 <= slice0shift_search_3_19 - slice0shift_reference_3;
+      slice0cost_difference_3_20 <= slice0shift_search_3_20 - slice0shift_reference_3;
+      slice0cost_difference_3_21 <= slice0shift_search_3_21 - slice0shift_reference_3;
+      slice0cost_difference_3_22 <= slice0shift_search_3_22 - slice0shift_reference_3;
+      slice0cost_difference_3_23 <= slice0shift_search_3_23 - slice0shift_reference_3;
+      slice0cost_difference_3_24 <= slice0shift_search_3_24 - slice0shift_reference_3;
+      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
+      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
+      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
+      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
+      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
+      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
+      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
+      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
+      slice0cost_reverse_0_8 <= (slice0shift_reference_2 - slice0shift_search_2_8) mod 256;
+      slice0cost_reverse_0_9 <= (slice0shift_reference_2 - slice0shift_search_2_9) mod 256;
+      slice0cost_reverse_0_10 <= (slice0shift_reference_2 - slice0shift_search_2_10) mod 256;
+      slice0cost_reverse_0_11 <= (slice0shift_reference_2 - slice0shift_search_2_11) mod 256;
+      slice0cost_reverse_0_12 <= (slice0shift_reference_2 - slice0shift_search_2_12) mod 256;
+      slice0cost_reverse_0_13 <= (slice0shift_reference_2 - slice0shift_search_2_13) mod 256;
+      slice0cost_reverse_0_14 <= (slice0shift_reference_2 - slice0shift_search_2_14) mod 256;
+      slice0cost_reverse_0_15 <= (slice0shift_reference_2 - slice0shift_search_2_15) mod 256;
+      slice0cost_reverse_0_16 <= (slice0shift_reference_2 - slice0shift_search_2_16) mod 256;
+      slice0cost_reverse_0_17 <= (slice0shift_reference_2 - slice0shift_search_2_17) mod 256;
+      slice0cost_reverse_0_18 <= (slice0shift_reference_2 - slice0shift_search_2_18) mod 256;
+      slice0cost_reverse_0_19 <= (slice0shift_reference_2 - slice0shift_search_2_19) mod 256;
+      slice0cost_reverse_0_20 <= (slice0shift_reference_2 - slice0shift_search_2_20) mod 256;
+      slice0cost_reverse_0_21 <= (slice0shift_reference_2 - slice0shift_search_2_21) mod 256;
+      slice0cost_reverse_0_22 <= (slice0shift_reference_2 - slice0shift_search_2_22) mod 256;
+      slice0cost_reverse_0_23 <= (slice0shift_reference_2 - slice0shift_search_2_23) mod 256;
+      slice0cost_reverse_0_24 <= (slice0shift_reference_2 - slice0shift_search_2_24) mod 256;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+        as_number((slice0cost_difference_1_3 < 0));
+      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+        as_number((slice0cost_difference_1_4 < 0));
+      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+        as_number((slice0cost_difference_1_5 < 0));
+      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+        as_number((slice0cost_difference_1_6 < 0));
+      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+        as_number((slice0cost_difference_1_7 < 0));
+      slice0cost_pair_0_8 <= slice0cost_pair_0_8_choice + folded(slice0cost_difference_1_8) +
+        as_number((slice0cost_difference_1_8 < 0));
+      slice0cost_pair_0_9 <= slice0cost_pair_0_9_choice + folded(slice0cost_difference_1_9) +
+        as_number((slice0cost_difference_1_9 < 0));
+      slice0cost_pair_0_10 <= slice0cost_pair_0_10_choice + folded(slice0cost_difference_1_10) +
+        as_number((slice0cost_difference_1_10 < 0));
+      slice0cost_pair_0_11 <= slice0cost_pair_0_11_choice + folded(slice0cost_difference_1_11) +
+        as_number((slice0cost_difference_1_11 < 0));
+      slice0cost_pair_0_12 <= slice0cost_pair_0_12_choice + folded(slice0cost_difference_1_12) +
+        as_number((slice0cost_difference_1_12 < 0));
+      slice0cost_pair_0_13 <= slice0cost_pair_0_13_choice + folded(slice0cost_difference_1_13) +
+        as_number((slice0cost_difference_1_13 < 0));
+      slice0cost_pair_0_14 <= slice0cost_pair_0_14_choice + folded(slice0cost_difference_1_14) +
+        as_number((slice0cost_difference_1_14 < 0));
+      slice0cost_pair_0_15 <= slice0cost_pair_0_15_choice + folded(slice0cost_difference_1_15) +
+        as_number((slice0cost_difference_1_15 < 0));
+      slice0cost_pair_0_16 <= slice0cost_pair_0_16_choice + folded(slice0cost_difference_1_16) +
+        as_number((slice0cost_difference_1_16 < 0));
+      slice0cost_pair_0_17 <= slice0cost_pair_0_17_choice + folded(slice0cost_difference_1_17) +
+        as_number((slice0cost_difference_1_17 < 0));
+      slice0cost_pair_0_18 <= slice0cost_pair_0_18_choice + folded(slice0cost_difference_1_18) +
+        as_number((slice0cost_difference_1_18 < 0));
+      slice0cost_pair_0_19 <= slice0cost_pair_0_19_choice + folded(slice0cost_difference_1_19) +
+        as_number((slice0cost_difference_1_19 < 0));
+      slice0cost_pair_0_20 <= slice0cost_pair_0_20_choice + folded(slice0cost_difference_1_20) +
+        as_number((slice0cost_difference_1_20 < 0));
+      slice0cost_pair_0_21 <= slice0cost_pair_0_21_choice + folded(slice0cost_difference_1_21) +
+        as_number((slice0cost_difference_1_21 < 0));
+      slice0cost_pair_0_22 <= slice0cost_pair_0_22_choice + folded(slice0cost_difference_1_22) +
+        as_number((slice0cost_difference_1_22 < 0));
+      slice0cost_pair_0_23 <= slice0cost_pair_0_23_choice + folded(slice0cost_difference_1_23) +
+        as_number((slice0cost_difference_1_23 < 0));
+      slice0cost_pair_0_24 <= slice0cost_pair_0_24_choice + folded(slice0cost_difference_1_24) +
+        as_number((slice0cost_difference_1_24 < 0));
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
+      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
+      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
+      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
+      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
+      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
+      slice0cost_single_0_8 <= folded(slice0cost_difference_0_8);
+      slice0cost_single_0_9 <= folded(slice0cost_difference_0_9);
+      slice0cost_single_0_10 <= folded(slice0cost_difference_0_10);
+      slice0cost_single_0_11 <= folded(slice0cost_difference_0_11);
+      slice0cost_single_0_12 <= folded(slice0cost_difference_0_12);
+      slice0cost_single_0_13 <= folded(slice0cost_difference_0_13);
+      slice0cost_single_0_14 <= folded(slice0cost_difference_0_14);
+      slice0cost_single_0_15 <= folded(slice0cost_difference_0_15);
+      slice0cost_single_0_16 <= folded(slice0cost_difference_0_16);
+      slice0cost_single_0_17 <= folded(slice0cost_difference_0_17);
+      slice0cost_single_0_18 <= folded(slice0cost_difference_0_18);
+      slice0cost_single_0_19 <= folded(slice0cost_difference_0_19);
+      slice0cost_single_0_20 <= folded(slice0cost_difference_0_20);
+      slice0cost_single_0_21 <= folded(slice0cost_difference_0_21);
+      slice0cost_single_0_22 <= folded(slice0cost_difference_0_22);
+      slice0cost_single_0_23 <= folded(slice0cost_difference_0_23);
+      slice0cost_single_0_24 <= folded(slice0cost_difference_0_24);
+      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
+      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
+      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
+      slice0cost_single_3_3 <= folded(slice0cost_difference_3_3);
+      slice0cost_single_3_4 <= folded(slice0cost_difference_3_4);
+      slice0cost_single_3_5 <= folded(slice0cost_difference_3_5);
+      slice0cost_single_3_6 <= folded(slice0cost_difference_3_6);
+      slice0cost_single_3_7 <= folded(slice0cost_difference_3_7);
+      slice0cost_single_3_8 <= folded(slice0cost_difference_3_8);
+      slice0cost_single_3_9 <= folded(slice0cost_difference_3_9);
+      slice0cost_single_3_10 <= folded(slice0cost_difference_3_10);
+      slice0cost_single_3_11 <= folded(slice0cost_difference_3_11);
+      slice0cost_single_3_12 <= folded(slice0cost_difference_3_12);
+      slice0cost_single_3_13 <= folded(slice0cost_difference_3_13);
+      slice0cost_single_3_14 <= folded(slice0cost_difference_3_14);
+      slice0cost_single_3_15 <= folded(slice0cost_difference_3_15);
+      slice0cost_single_3_16 <= folded(slice0cost_difference_3_16);
+      slice0cost_single_3_17 <= folded(slice0cost_difference_3_17);
+      slice0cost_single_3_18 <= folded(slice0cost_difference_3_18);
+      slice0cost_single_3_19 <= folded(slice0cost_difference_3_19);
+      slice0cost_single_3_20 <= folded(slice0cost_difference_3_20);
+      slice0cost_single_3_21 <= folded(slice0cost_difference_3_21);
+      slice0cost_single_3_22 <= folded(slice0cost_difference_3_22);
+      slice0cost_single_3_23 <= folded(slice0cost_difference_3_23);
+      slice0cost_single_3_24 <= folded(slice0cost_difference_3_24);
+      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
+      slice0cost_negative_0_8 <= slice0cost_difference_0_8 < 0;
+      slice0cost_negative_0_9 <= slice0cost_difference_0_9 < 0;
+      slice0cost_negative_0_10 <= slice0cost_difference_0_10 < 0;
+      slice0cost_negative_0_11 <= slice0cost_difference_0_11 < 0;
+      slice0cost_negative_0_12 <= slice0cost_difference_0_12 < 0;
+      slice0cost_negative_0_13 <= slice0cost_difference_0_13 < 0;
+      slice0cost_negative_0_14 <= slice0cost_difference_0_14 < 0;
+      slice0cost_negative_0_15 <= slice0cost_difference_0_15 < 0;
+      slice0cost_negative_0_16 <= slice0cost_difference_0_16 < 0;
+      slice0cost_negative_0_17 <= slice0cost_difference_0_17 < 0;
+      slice0cost_negative_0_18 <= slice0cost_difference_0_18 < 0;
+      slice0cost_negative_0_19 <= slice0cost_difference_0_19 < 0;
+      slice0cost_negative_0_20 <= slice0cost_difference_0_20 < 0;
+      slice0cost_negative_0_21 <= slice0cost_difference_0_21 < 0;
+      slice0cost_negative_0_22 <= slice0cost_difference_0_22 < 0;
+      slice0cost_negative_0_23 <= slice0cost_difference_0_23 < 0;
+      slice0cost_negative_0_24 <= slice0cost_difference_0_24 < 0;
+      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
+      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
+      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_negative_3_3 <= slice0cost_difference_3_3 < 0;
+      slice0cost_negative_3_4 <= slice0cost_difference_3_4 < 0;
+      slice0cost_negative_3_5 <= slice0cost_difference_3_5 < 0;
+      slice0cost_negative_3_6 <= slice0cost_difference_3_6 < 0;
+      slice0cost_negative_3_7 <= slice0cost_difference_3_7 < 0;
+      slice0cost_negative_3_8 <= slice0cost_difference_3_8 < 0;
+      slice0cost_negative_3_9 <= slice0cost_difference_3_9 < 0;
+      slice0cost_negative_3_10 <= slice0cost_difference_3_10 < 0;
+      slice0cost_negative_3_11 <= slice0cost_difference_3_11 < 0;
+      slice0cost_negative_3_12 <= slice0cost_difference_3_12 < 0;
+      slice0cost_negative_3_13 <= slice0cost_difference_3_13 < 0;
+      slice0cost_negative_3_14 <= slice0cost_difference_3_14 < 0;
+      slice0cost_negative_3_15 <= slice0cost_difference_3_15 < 0;
+      slice0cost_negative_3_16 <= slice0cost_difference_3_16 < 0;
+      slice0cost_negative_3_17 <= slice0cost_difference_3_17 < 0;
+      slice0cost_negative_3_18 <= slice0cost_difference_3_18 < 0;
+      slice0cost_negative_3_19 <= slice0cost_difference_3_19 < 0;
+      slice0cost_negative_3_20 <= slice0cost_difference_3_20 < 0;
+      slice0cost_negative_3_21 <= slice0cost_difference_3_21 < 0;
+      slice0cost_negative_3_22 <= slice0cost_difference_3_22 < 0;
+      slice0cost_negative_3_23 <= slice0cost_difference_3_23 < 0;
+      slice0cost_negative_3_24 <= slice0cost_difference_3_24 < 0;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
+        slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
+        slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
+        slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
+        slice0cost_pair_0_3 + slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
+        slice0cost_pair_0_4 + slice0cost_single_0_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
+        slice0cost_pair_0_5 + slice0cost_single_0_5;
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
+        slice0cost_pair_0_6 + slice0cost_single_0_6;
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
+        slice0cost_pair_0_7 + slice0cost_single_0_7;
+      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_8) +
+        slice0cost_pair_0_8 + slice0cost_single_0_8;
+      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_9) +
+        slice0cost_pair_0_9 + slice0cost_single_0_9;
+      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_10) +
+        slice0cost_pair_0_10 + slice0cost_single_0_10;
+      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_11) +
+        slice0cost_pair_0_11 + slice0cost_single_0_11;
+      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_12) +
+        slice0cost_pair_0_12 + slice0cost_single_0_12;
+      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_13) +
+        slice0cost_pair_0_13 + slice0cost_single_0_13;
+      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_14) +
+        slice0cost_pair_0_14 + slice0cost_single_0_14;
+      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_15) +
+        slice0cost_pair_0_15 + slice0cost_single_0_15;
+      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_16) +
+        slice0cost_pair_0_16 + slice0cost_single_0_16;
+      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_17) +
+        slice0cost_pair_0_17 + slice0cost_single_0_17;
+      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_18) +
+        slice0cost_pair_0_18 + slice0cost_single_0_18;
+      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_19) +
+        slice0cost_pair_0_19 + slice0cost_single_0_19;
+      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_20) +
+        slice0cost_pair_0_20 + slice0cost_single_0_20;
+      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_21) +
+        slice0cost_pair_0_21 + slice0cost_single_0_21;
+      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_22) +
+        slice0cost_pair_0_22 + slice0cost_single_0_22;
+      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_23) +
+        slice0cost_pair_0_23 + slice0cost_single_0_23;
+      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_24) +
+        slice0cost_pair_0_24 + slice0cost_single_0_24;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
+        slice0cost_pair_0_0 + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
+        slice0cost_pair_0_1 + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
+        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_3) +
+        slice0cost_pair_0_3 + slice0cost_single_3_3;
+      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_4) +
+        slice0cost_pair_0_4 + slice0cost_single_3_4;
+      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_5) +
+        slice0cost_pair_0_5 + slice0cost_single_3_5;
+      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_6) +
+        slice0cost_pair_0_6 + slice0cost_single_3_6;
+      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_7) +
+        slice0cost_pair_0_7 + slice0cost_single_3_7;
+      slice0cost_column_1_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_8) +
+        slice0cost_pair_0_8 + slice0cost_single_3_8;
+      slice0cost_column_1_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_9) +
+        slice0cost_pair_0_9 + slice0cost_single_3_9;
+      slice0cost_column_1_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_10) +
+        slice0cost_pair_0_10 + slice0cost_single_3_10;
+      slice0cost_column_1_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_11) +
+        slice0cost_pair_0_11 + slice0cost_single_3_11;
+      slice0cost_column_1_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_12) +
+        slice0cost_pair_0_12 + slice0cost_single_3_12;
+      slice0cost_column_1_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_13) +
+        slice0cost_pair_0_13 + slice0cost_single_3_13;
+      slice0cost_column_1_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_14) +
+        slice0cost_pair_0_14 + slice0cost_single_3_14;
+      slice0cost_column_1_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_15) +
+        slice0cost_pair_0_15 + slice0cost_single_3_15;
+      slice0cost_column_1_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_16) +
+        slice0cost_pair_0_16 + slice0cost_single_3_16;
+      slice0cost_column_1_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_17) +
+        slice0cost_pair_0_17 + slice0cost_single_3_17;
+      slice0cost_column_1_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_18) +
+        slice0cost_pair_0_18 + slice0cost_single_3_18;
+      slice0cost_column_1_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_19) +
+        slice0cost_pair_0_19 + slice0cost_single_3_19;
+      slice0cost_column_1_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_20) +
+        slice0cost_pair_0_20 + slice0cost_single_3_20;
+      slice0cost_column_1_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_21) +
+        slice0cost_pair_0_21 + slice0cost_single_3_21;
+      slice0cost_column_1_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_22) +
+        slice0cost_pair_0_22 + slice0cost_single_3_22;
+      slice0cost_column_1_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_23) +
+        slice0cost_pair_0_23 + slice0cost_single_3_23;
+      slice0cost_column_1_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_24) +
+        slice0cost_pair_0_24 + slice0cost_single_3_24;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_0_3 <= slice0cost_column_0_3;
+        slice0window_partial_0_0_4 <= slice0cost_column_0_4;
+        slice0window_partial_0_0_5 <= slice0cost_column_0_5;
+        slice0window_partial_0_0_6 <= slice0cost_column_0_6;
+        slice0window_partial_0_0_7 <= slice0cost_column_0_7;
+        slice0window_partial_0_0_8 <= slice0cost_column_0_8;
+        slice0window_partial_0_0_9 <= slice0cost_column_0_9;
+        slice0window_partial_0_0_10 <= slice0cost_column_0_10;
+        slice0window_partial_0_0_11 <= slice0cost_column_0_11;
+        slice0window_partial_0_0_12 <= slice0cost_column_0_12;
+        slice0window_partial_0_0_13 <= slice0cost_column_0_13;
+        slice0window_partial_0_0_14 <= slice0cost_column_0_14;
+        slice0window_partial_0_0_15 <= slice0cost_column_0_15;
+        slice0window_partial_0_0_16 <= slice0cost_column_0_16;
+        slice0window_partial_0_0_17 <= slice0cost_column_0_17;
+        slice0window_partial_0_0_18 <= slice0cost_column_0_18;
+        slice0window_partial_0_0_19 <= slice0cost_column_0_19;
+        slice0window_partial_0_0_20 <= slice0cost_column_0_20;
+        slice0window_partial_0_0_21 <= slice0cost_column_0_21;
+        slice0window_partial_0_0_22 <= slice0cost_column_0_22;
+        slice0window_partial_0_0_23 <= slice0cost_column_0_23;
+        slice0window_partial_0_0_24 <= slice0cost_column_0_24;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_3 <= slice0cost_column_0_3 + slice0window_partial_0_0_3;
+        slice0window_partial_0_1_4 <= slice0cost_column_0_4 + slice0window_partial_0_0_4;
+        slice0window_partial_0_1_5 <= slice0cost_column_0_5 + slice0window_partial_0_0_5;
+        slice0window_partial_0_1_6 <= slice0cost_column_0_6 + slice0window_partial_0_0_6;
+        slice0window_partial_0_1_7 <= slice0cost_column_0_7 + slice0window_partial_0_0_7;
+        slice0window_partial_0_1_8 <= slice0cost_column_0_8 + slice0window_partial_0_0_8;
+        slice0window_partial_0_1_9 <= slice0cost_column_0_9 + slice0window_partial_0_0_9;
+        slice0window_partial_0_1_10 <= slice0cost_column_0_10 + slice0window_partial_0_0_10;
+        slice0window_partial_0_1_11 <= slice0cost_column_0_11 + slice0window_partial_0_0_11;
+        slice0window_partial_0_1_12 <= slice0cost_column_0_12 + slice0window_partial_0_0_12;
+        slice0window_partial_0_1_13 <= slice0cost_column_0_13 + slice0window_partial_0_0_13;
+        slice0window_partial_0_1_14 <= slice0cost_column_0_14 + slice0window_partial_0_0_14;
+        slice0window_partial_0_1_15 <= slice0cost_column_0_15 + slice0window_partial_0_0_15;
+        slice0window_partial_0_1_16 <= slice0cost_column_0_16 + slice0window_partial_0_0_16;
+        slice0window_partial_0_1_17 <= slice0cost_column_0_17 + slice0window_partial_0_0_17;
+        slice0window_partial_0_1_18 <= slice0cost_column_0_18 + slice0window_partial_0_0_18;
+        slice0window_partial_0_1_19 <= slice0cost_column_0_19 + slice0window_partial_0_0_19;
+        slice0window_partial_0_1_20 <= slice0cost_column_0_20 + slice0window_partial_0_0_20;
+        slice0window_partial_0_1_21 <= slice0cost_column_0_21 + slice0window_partial_0_0_21;
+        slice0window_partial_0_1_22 <= slice0cost_column_0_22 + slice0window_partial_0_0_22;
+        slice0window_partial_0_1_23 <= slice0cost_column_0_23 + slice0window_partial_0_0_23;
+        slice0window_partial_0_1_24 <= slice0cost_column_0_24 + slice0window_partial_0_0_24;
+        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
+        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
+        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
+        slice0window_partial_1_0_3 <= slice0cost_column_1_3;
+        slice0window_partial_1_0_4 <= slice0cost_column_1_4;
+        slice0window_partial_1_0_5 <= slice0cost_column_1_5;
+        slice0window_partial_1_0_6 <= slice0cost_column_1_6;
+        slice0window_partial_1_0_7 <= slice0cost_column_1_7;
+        slice0window_partial_1_0_8 <= slice0cost_column_1_8;
+        slice0window_partial_1_0_9 <= slice0cost_column_1_9;
+        slice0window_partial_1_0_10 <= slice0cost_column_1_10;
+        slice0window_partial_1_0_11 <= slice0cost_column_1_11;
+        slice0window_partial_1_0_12 <= slice0cost_column_1_12;
+        slice0window_partial_1_0_13 <= slice0cost_column_1_13;
+        slice0window_partial_1_0_14 <= slice0cost_column_1_14;
+        slice0window_partial_1_0_15 <= slice0cost_column_1_15;
+        slice0window_partial_1_0_16 <= slice0cost_column_1_16;
+        slice0window_partial_1_0_17 <= slice0cost_column_1_17;
+        slice0window_partial_1_0_18 <= slice0cost_column_1_18;
+        slice0window_partial_1_0_19 <= slice0cost_column_1_19;
+        slice0window_partial_1_0_20 <= slice0cost_column_1_20;
+        slice0window_partial_1_0_21 <= slice0cost_column_1_21;
+        slice0window_partial_1_0_22 <= slice0cost_column_1_22;
+        slice0window_partial_1_0_23 <= slice0cost_column_1_23;
+        slice0window_partial_1_0_24 <= slice0cost_column_1_24;
+        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
+        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
+        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
+        slice0window_partial_1_1_3 <= slice0cost_column_1_3 + slice0window_partial_1_0_3;
+        slice0window_partial_1_1_4 <= slice0cost_column_1_4 + slice0window_partial_1_0_4;
+        slice0window_partial_1_1_5 <= slice0cost_column_1_5 + slice0window_partial_1_0_5;
+        slice0window_partial_1_1_6 <= slice0cost_column_1_6 + slice0window_partial_1_0_6;
+        slice0window_partial_1_1_7 <= slice0cost_column_1_7 + slice0window_partial_1_0_7;
+        slice0window_partial_1_1_8 <= slice0cost_column_1_8 + slice0window_partial_1_0_8;
+        slice0window_partial_1_1_9 <= slice0cost_column_1_9 + slice0window_partial_1_0_9;
+        slice0window_partial_1_1_10 <= slice0cost_column_1_10 + slice0window_partial_1_0_10;
+        slice0window_partial_1_1_11 <= slice0cost_column_1_11 + slice0window_partial_1_0_11;
+        slice0window_partial_1_1_12 <= slice0cost_column_1_12 + slice0window_partial_1_0_12;
+        slice0window_partial_1_1_13 <= slice0cost_column_1_13 + slice0window_partial_1_0_13;
+        slice0window_partial_1_1_14 <= slice0cost_column_1_14 + slice0window_partial_1_0_14;
+        slice0window_partial_1_1_15 <= slice0cost_column_1_15 + slice0window_partial_1_0_15;
+        slice0window_partial_1_1_16 <= slice0cost_column_1_16 + slice0window_partial_1_0_16;
+        slice0window_partial_1_1_17 <= slice0cost_column_1_17 + slice0window_partial_1_0_17;
+        slice0window_partial_1_1_18 <= slice0cost_column_1_18 + slice0window_partial_1_0_18;
+        slice0window_partial_1_1_19 <= slice0cost_column_1_19 + slice0window_partial_1_0_19;
+        slice0window_partial_1_1_20 <= slice0cost_column_1_20 + slice0window_partial_1_0_20;
+        slice0window_partial_1_1_21 <= slice0cost_column_1_21 + slice0window_partial_1_0_21;
+        slice0window_partial_1_1_22 <= slice0cost_column_1_22 + slice0window_partial_1_0_22;
+        slice0window_partial_1_1_23 <= slice0cost_column_1_23 + slice0window_partial_1_0_23;
+        slice0window_partial_1_1_24 <= slice0cost_column_1_24 + slice0window_partial_1_0_24;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
+      slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
+      slice0window_sum_0_5 <= slice0cost_column_0_5 + slice0window_partial_0_1_5;
+      slice0window_sum_0_6 <= slice0cost_column_0_6 + slice0window_partial_0_1_6;
+      slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_1_7;
+      slice0window_sum_0_8 <= slice0cost_column_0_8 + slice0window_partial_0_1_8;
+      slice0window_sum_0_9 <= slice0cost_column_0_9 + slice0window_partial_0_1_9;
+      slice0window_sum_0_10 <= slice0cost_column_0_10 + slice0window_partial_0_1_10;
+      slice0window_sum_0_11 <= slice0cost_column_0_11 + slice0window_partial_0_1_11;
+      slice0window_sum_0_12 <= slice0cost_column_0_12 + slice0window_partial_0_1_12;
+      slice0window_sum_0_13 <= slice0cost_column_0_13 + slice0window_partial_0_1_13;
+      slice0window_sum_0_14 <= slice0cost_column_0_14 + slice0window_partial_0_1_14;
+      slice0window_sum_0_15 <= slice0cost_column_0_15 + slice0window_partial_0_1_15;
+      slice0window_sum_0_16 <= slice0cost_column_0_16 + slice0window_partial_0_1_16;
+      slice0window_sum_0_17 <= slice0cost_column_0_17 + slice0window_partial_0_1_17;
+      slice0window_sum_0_18 <= slice0cost_column_0_18 + slice0window_partial_0_1_18;
+      slice0window_sum_0_19 <= slice0cost_column_0_19 + slice0window_partial_0_1_19;
+      slice0window_sum_0_20 <= slice0cost_column_0_20 + slice0window_partial_0_1_20;
+      slice0window_sum_0_21 <= slice0cost_column_0_21 + slice0window_partial_0_1_21;
+      slice0window_sum_0_22 <= slice0cost_column_0_22 + slice0window_partial_0_1_22;
+      slice0window_sum_0_23 <= slice0cost_column_0_23 + slice0window_partial_0_1_23;
+      slice0window_sum_0_24 <= slice0cost_column_0_24 + slice0window_partial_0_1_24;
+      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
+      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
+      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
+      slice0window_sum_1_3 <= slice0cost_column_1_3 + slice0window_partial_1_1_3;
+      slice0window_sum_1_4 <= slice0cost_column_1_4 + slice0window_partial_1_1_4;
+      slice0window_sum_1_5 <= slice0cost_column_1_5 + slice0window_partial_1_1_5;
+      slice0window_sum_1_6 <= slice0cost_column_1_6 + slice0window_partial_1_1_6;
+      slice0window_sum_1_7 <= slice0cost_column_1_7 + slice0window_partial_1_1_7;
+      slice0window_sum_1_8 <= slice0cost_column_1_8 + slice0window_partial_1_1_8;
+      slice0window_sum_1_9 <= slice0cost_column_1_9 + slice0window_partial_1_1_9;
+      slice0window_sum_1_10 <= slice0cost_column_1_10 + slice0window_partial_1_1_10;
+      slice0window_sum_1_11 <= slice0cost_column_1_11 + slice0window_partial_1_1_11;
+      slice0window_sum_1_12 <= slice0cost_column_1_12 + slice0window_partial_1_1_12;
+      slice0window_sum_1_13 <= slice0cost_column_1_13 + slice0window_partial_1_1_13;
+      slice0window_sum_1_14 <= slice0cost_column_1_14 + slice0window_partial_1_1_14;
+      slice0window_sum_1_15 <= slice0cost_column_1_15 + slice0window_partial_1_1_15;
+      slice0window_sum_1_16 <= slice0cost_column_1_16 + slice0window_partial_1_1_16;
+      slice0window_sum_1_17 <= slice0cost_column_1_17 + slice0window_partial_1_1_17;
+      slice0window_sum_1_18 <= slice0cost_column_1_18 + slice0window_partial_1_1_18;
+      slice0window_sum_1_19 <= slice0cost_column_1_19 + slice0window_partial_1_1_19;
+      slice0window_sum_1_20 <= slice0cost_column_1_20 + slice0window_partial_1_1_20;
+      slice0window_sum_1_21 <= slice0cost_column_1_21 + slice0window_partial_1_1_21;
+      slice0window_sum_1_22 <= slice0cost_column_1_22 + slice0window_partial_1_1_22;
+      slice0window_sum_1_23 <= slice0cost_column_1_23 + slice0window_partial_1_1_23;
+      slice0window_sum_1_24 <= slice0cost_column_1_24 + slice0window_partial_1_1_24;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8_is_less := slice0window_sum_0_17 < slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9_is_less := slice0window_sum_0_19 < slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10_is_less := slice0window_sum_0_21 < slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11_is_less := slice0window_sum_0_23 < slice0window_sum_0_22;
+      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1_is_less := slice0window_sum_1_3 < slice0window_sum_1_2;
+      slice0winner1_best_cost_1_2_is_less := slice0window_sum_1_5 < slice0window_sum_1_4;
+      slice0winner1_best_cost_1_3_is_less := slice0window_sum_1_7 < slice0window_sum_1_6;
+      slice0winner1_best_cost_1_4_is_less := slice0window_sum_1_9 < slice0window_sum_1_8;
+      slice0winner1_best_cost_1_5_is_less := slice0window_sum_1_11 < slice0window_sum_1_10;
+      slice0winner1_best_cost_1_6_is_less := slice0window_sum_1_13 < slice0window_sum_1_12;
+      slice0winner1_best_cost_1_7_is_less := slice0window_sum_1_15 < slice0window_sum_1_14;
+      slice0winner1_best_cost_1_8_is_less := slice0window_sum_1_17 < slice0window_sum_1_16;
+      slice0winner1_best_cost_1_9_is_less := slice0window_sum_1_19 < slice0window_sum_1_18;
+      slice0winner1_best_cost_1_10_is_less := slice0window_sum_1_21 < slice0window_sum_1_20;
+      slice0winner1_best_cost_1_11_is_less := slice0window_sum_1_23 < slice0window_sum_1_22;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
+        slice0window_sum_0_8;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
+        slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
+        slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
+        slice0window_sum_0_14;
+      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
+        slice0window_sum_0_16;
+      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
+        slice0window_sum_0_18;
+      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
+        slice0window_sum_0_20;
+      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
+        slice0window_sum_0_22;
+      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
+        slice0window_sum_1_2;
+      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
+        slice0window_sum_1_4;
+      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
+        slice0window_sum_1_6;
+      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
+        slice0window_sum_1_8;
+      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
+        slice0window_sum_1_10;
+      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
+        slice0window_sum_1_12;
+      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
+        slice0window_sum_1_14;
+      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
+        slice0window_sum_1_16;
+      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
+        slice0window_sum_1_18;
+      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
+        slice0window_sum_1_20;
+      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
+        slice0window_sum_1_22;
+      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
+      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
+      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
+      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
+      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
+      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
+      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
+      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
+      slice0winner1_best_index_0_12 <= 24;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
+      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
+      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
+      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
+      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
+      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
+      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
+      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
+      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
+      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
+      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4_is_less := slice0winner1_best_cost_0_9 < slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5_is_less := slice0winner1_best_cost_0_11 < slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_1_1_is_less := slice0winner1_best_cost_1_3 < slice0winner1_best_cost_1_2;
+      slice0winner2_best_cost_1_2_is_less := slice0winner1_best_cost_1_5 < slice0winner1_best_cost_1_4;
+      slice0winner2_best_cost_1_3_is_less := slice0winner1_best_cost_1_7 < slice0winner1_best_cost_1_6;
+      slice0winner2_best_cost_1_4_is_less := slice0winner1_best_cost_1_9 < slice0winner1_best_cost_1_8;
+      slice0winner2_best_cost_1_5_is_less := slice0winner1_best_cost_1_11 < slice0winner1_best_cost_1_10;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_cost_0_8;
+      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_cost_0_10;
+      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_cost_1_2;
+      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
+        slice0winner1_best_cost_1_4;
+      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_cost_1_6;
+      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_cost_1_8;
+      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_cost_1_10;
+      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_index_0_2;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
+        slice0winner1_best_index_0_4;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
+        slice0winner1_best_index_0_8;
+      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
+        slice0winner1_best_index_0_10;
+      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
+        slice0winner1_best_index_1_2;
+      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
+        slice0winner1_best_index_1_4;
+      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
+        slice0winner1_best_index_1_6;
+      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
+        slice0winner1_best_index_1_8;
+      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
+        slice0winner1_best_index_1_10;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+        slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      end if;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2_is_less := slice0winner2_best_cost_0_5 < slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_1_0_is_less := slice0winner2_best_cost_1_1 < slice0winner2_best_cost_1_0;
+      slice0winner3_best_cost_1_1_is_less := slice0winner2_best_cost_1_3 < slice0winner2_best_cost_1_2;
+      slice0winner3_best_cost_1_2_is_less := slice0winner2_best_cost_1_5 < slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_cost_0_4;
+      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
+      slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
+        slice0winner2_best_cost_1_0;
+      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_cost_1_2;
+      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
+        slice0winner2_best_index_0_4;
+      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
+      slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
+        slice0winner2_best_index_1_0;
+      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
+        slice0winner2_best_index_1_2;
+      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
+        slice0winner2_best_index_1_4;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0winner4
+      slice0winner4_best_cost_0_0_is_less := slice0winner3_best_cost_0_1 < slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1_is_less := slice0winner3_best_cost_0_3 < slice0winner3_best_cost_0_2;
+      slice0winner4_best_cost_1_0_is_less := slice0winner3_best_cost_1_1 < slice0winner3_best_cost_1_0;
+      slice0winner4_best_cost_1_1_is_less := slice0winner3_best_cost_1_3 < slice0winner3_best_cost_1_2;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_cost_0_2;
+      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_cost_1_0;
+      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_cost_1_2;
+      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
+        slice0winner3_best_index_0_0;
+      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
+        slice0winner3_best_index_0_2;
+      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
+        slice0winner3_best_index_1_0;
+      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
+        slice0winner3_best_index_1_2;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice0winner5
+      slice0winner5_best_cost_0_0_is_less := slice0winner4_best_cost_0_1 < slice0winner4_best_cost_0_0;
+      slice0winner5_best_cost_1_0_is_less := slice0winner4_best_cost_1_1 < slice0winner4_best_cost_1_0;
+      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_cost_0_0;
+      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_cost_1_0;
+      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
+        slice0winner4_best_index_0_0;
+      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
+        slice0winner4_best_index_1_0;
+      slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
+      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
+      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 75;
+      slice0_best_tag_valid <= slice0winner5_tag_valid;
+      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice1shift_search_0_3;
+        slice1shift_search_0_3 <= slice1shift_search_0_4;
+        slice1shift_search_0_4 <= slice1shift_search_0_5;
+        slice1shift_search_0_5 <= slice1shift_search_0_6;
+        slice1shift_search_0_6 <= slice1shift_search_0_7;
+        slice1shift_search_0_7 <= slice1shift_search_0_8;
+        slice1shift_search_0_8 <= slice1shift_search_0_9;
+        slice1shift_search_0_9 <= slice1shift_search_0_10;
+        slice1shift_search_0_10 <= slice1shift_search_0_11;
+        slice1shift_search_0_11 <= slice1shift_search_0_12;
+        slice1shift_search_0_12 <= slice1shift_search_0_13;
+        slice1shift_search_0_13 <= slice1shift_search_0_14;
+        slice1shift_search_0_14 <= slice1shift_search_0_15;
+        slice1shift_search_0_15 <= slice1shift_search_0_16;
+        slice1shift_search_0_16 <= slice1shift_search_0_17;
+        slice1shift_search_0_17 <= slice1shift_search_0_18;
+        slice1shift_search_0_18 <= slice1shift_search_0_19;
+        slice1shift_search_0_19 <= slice1shift_search_0_20;
+        slice1shift_search_0_20 <= slice1shift_search_0_21;
+        slice1shift_search_0_21 <= slice1shift_search_0_22;
+        slice1shift_search_0_22 <= slice1shift_search_0_23;
+        slice1shift_search_0_23 <= slice1shift_search_0_24;
+        slice1shift_search_0_24 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice1shift_search_1_3;
+        slice1shift_search_1_3 <= slice1shift_search_1_4;
+        slice1shift_search_1_4 <= slice1shift_search_1_5;
+        slice1shift_search_1_5 <= slice1shift_search_1_6;
+        slice1shift_search_1_6 <= slice1shift_search_1_7;
+        slice1shift_search_1_7 <= slice1shift_search_1_8;
+        slice1shift_search_1_8 <= slice1shift_search_1_9;
+        slice1shift_search_1_9 <= slice1shift_search_1_10;
+        slice1shift_search_1_10 <= slice1shift_search_1_11;
+        slice1shift_search_1_11 <= slice1shift_search_1_12;
+        slice1shift_search_1_12 <= slice1shift_search_1_13;
+        slice1shift_search_1_13 <= slice1shift_search_1_14;
+        slice1shift_search_1_14 <= slice1shift_search_1_15;
+        slice1shift_search_1_15 <= slice1shift_search_1_16;
+        slice1shift_search_1_16 <= slice1shift_search_1_17;
+        slice1shift_search_1_17 <= slice1shift_search_1_18;
+        slice1shift_search_1_18 <= slice1shift_search_1_19;
+        slice1shift_search_1_19 <= slice1shift_search_1_20;
+        slice1shift_search_1_20 <= slice1shift_search_1_21;
+        slice1shift_search_1_21 <= slice1shift_search_1_22;
+        slice1shift_search_1_22 <= slice1shift_search_1_23;
+        slice1shift_search_1_23 <= slice1shift_search_1_24;
+        slice1shift_search_1_24 <= slice0shift_search_out_1;
+        slice1shift_search_2_0 <= slice1shift_search_2_1;
+        slice1shift_search_2_1 <= slice1shift_search_2_2;
+        slice1shift_search_2_2 <= slice1shift_search_2_3;
+        slice1shift_search_2_3 <= slice1shift_search_2_4;
+        slice1shift_search_2_4 <= slice1shift_search_2_5;
+        slice1shift_search_2_5 <= slice1shift_search_2_6;
+        slice1shift_search_2_6 <= slice1shift_search_2_7;
+        slice1shift_search_2_7 <= slice1shift_search_2_8;
+        slice1shift_search_2_8 <= slice1shift_search_2_9;
+        slice1shift_search_2_9 <= slice1shift_search_2_10;
+        slice1shift_search_2_10 <= slice1shift_search_2_11;
+        slice1shift_search_2_11 <= slice1shift_search_2_12;
+        slice1shift_search_2_12 <= slice1shift_search_2_13;
+        slice1shift_search_2_13 <= slice1shift_search_2_14;
+        slice1shift_search_2_14 <= slice1shift_search_2_15;
+        slice1shift_search_2_15 <= slice1shift_search_2_16;
+        slice1shift_search_2_16 <= slice1shift_search_2_17;
+        slice1shift_search_2_17 <= slice1shift_search_2_18;
+        slice1shift_search_2_18 <= slice1shift_search_2_19;
+        slice1shift_search_2_19 <= slice1shift_search_2_20;
+        slice1shift_search_2_20 <= slice1shift_search_2_21;
+        slice1shift_search_2_21 <= slice1shift_search_2_22;
+        slice1shift_search_2_22 <= slice1shift_search_2_23;
+        slice1shift_search_2_23 <= slice1shift_search_2_24;
+        slice1shift_search_2_24 <= slice0shift_search_out_2;
+        slice1shift_search_3_0 <= slice1shift_search_3_1;
+        slice1shift_search_3_1 <= slice1shift_search_3_2;
+        slice1shift_search_3_2 <= slice1shift_search_3_3;
+        slice1shift_search_3_3 <= slice1shift_search_3_4;
+        slice1shift_search_3_4 <= slice1shift_search_3_5;
+        slice1shift_search_3_5 <= slice1shift_search_3_6;
+        slice1shift_search_3_6 <= slice1shift_search_3_7;
+        slice1shift_search_3_7 <= slice1shift_search_3_8;
+        slice1shift_search_3_8 <= slice1shift_search_3_9;
+        slice1shift_search_3_9 <= slice1shift_search_3_10;
+        slice1shift_search_3_10 <= slice1shift_search_3_11;
+        slice1shift_search_3_11 <= slice1shift_search_3_12;
+        slice1shift_search_3_12 <= slice1shift_search_3_13;
+        slice1shift_search_3_13 <= slice1shift_search_3_14;
+        slice1shift_search_3_14 <= slice1shift_search_3_15;
+        slice1shift_search_3_15 <= slice1shift_search_3_16;
+        slice1shift_search_3_16 <= slice1shift_search_3_17;
+        slice1shift_search_3_17 <= slice1shift_search_3_18;
+        slice1shift_search_3_18 <= slice1shift_search_3_19;
+        slice1shift_search_3_19 <= slice1shift_search_3_20;
+        slice1shift_search_3_20 <= slice1shift_search_3_21;
+        slice1shift_search_3_21 <= slice1shift_search_3_22;
+        slice1shift_search_3_22 <= slice1shift_search_3_23;
+        slice1shift_search_3_23 <= slice1shift_search_3_24;
+        slice1shift_search_3_24 <= slice0shift_search_out_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_search_out_0 <= slice1shift_search_0_0;
+      slice1shift_search_out_1 <= slice1shift_search_1_0;
+      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      slice1shift_search_out_3 <= slice1shift_search_3_0;
+      -- slice1cost
+      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
+        positive_part(slice1cost_difference_2_0);
+      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
+        positive_part(slice1cost_difference_2_1);
+      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
+        positive_part(slice1cost_difference_2_2);
+      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
+        positive_part(slice1cost_difference_2_3);
+      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
+        positive_part(slice1cost_difference_2_4);
+      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
+        positive_part(slice1cost_difference_2_5);
+      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
+        positive_part(slice1cost_difference_2_6);
+      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
+        positive_part(slice1cost_difference_2_7);
+      slice1cost_pair_0_8_choice := slice1cost_reverse_0_8 when slice1cost_difference_2_8 < 0 else
+        positive_part(slice1cost_difference_2_8);
+      slice1cost_pair_0_9_choice := slice1cost_reverse_0_9 when slice1cost_difference_2_9 < 0 else
+        positive_part(slice1cost_difference_2_9);
+      slice1cost_pair_0_10_choice := slice1cost_reverse_0_10 when slice1cost_difference_2_10 < 0 else
+        positive_part(slice1cost_difference_2_10);
+      slice1cost_pair_0_11_choice := slice1cost_reverse_0_11 when slice1cost_difference_2_11 < 0 else
+        positive_part(slice1cost_difference_2_11);
+      slice1cost_pair_0_12_choice := slice1cost_reverse_0_12 when slice1cost_difference_2_12 < 0 else
+        positive_part(slice1cost_difference_2_12);
+      slice1cost_pair_0_13_choice := slice1cost_reverse_0_13 when slice1cost_difference_2_13 < 0 else
+        positive_part(slice1cost_difference_2_13);
+      slice1cost_pair_0_14_choice := slice1cost_reverse_0_14 when slice1cost_difference_2_14 < 0 else
+        positive_part(slice1cost_difference_2_14);
+      slice1cost_pair_0_15_choice := slice1cost_reverse_0_15 when slice1cost_difference_2_15 < 0 else
+        positive_part(slice1cost_difference_2_15);
+      slice1cost_pair_0_16_choice := slice1cost_reverse_0_16 when slice1cost_difference_2_16 < 0 else
+        positive_part(slice1cost_difference_2_16);
+      slice1cost_pair_0_17_choice := slice1cost_reverse_0_17 when slice1cost_difference_2_17 < 0 else
+        positive_part(slice1cost_difference_2_17);
+      slice1cost_pair_0_18_choice := slice1cost_reverse_0_18 when slice1cost_difference_2_18 < 0 else
+        positive_part(slice1cost_difference_2_18);
+      slice1cost_pair_0_19_choice := slice1cost_reverse_0_19 when slice1cost_difference_2_19 < 0 else
+        positive_part(slice1cost_difference_2_19);
+      slice1cost_pair_0_20_choice := slice1cost_reverse_0_20 when slice1cost_difference_2_20 < 0 else
+        positive_part(slice1cost_difference_2_20);
+      slice1cost_pair_0_21_choice := slice1cost_reverse_0_21 when slice1cost_difference_2_21 < 0 else
+        positive_part(slice1cost_difference_2_21);
+      slice1cost_pair_0_22_choice := slice1cost_reverse_0_22 when slice1cost_difference_2_22 < 0 else
+        positive_part(slice1cost_difference_2_22);
+      slice1cost_pair_0_23_choice := slice1cost_reverse_0_23 when slice1cost_difference_2_23 < 0 else
+        positive_part(slice1cost_difference_2_23);
+      slice1cost_pair_0_24_choice := slice1cost_reverse_0_24 when slice1cost_difference_2_24 < 0 else
+        positive_part(slice1cost_difference_2_24);
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
+      slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
+      slice1cost_difference_0_5 <= slice1shift_search_0_5 - slice1shift_reference_0;
+      slice1cost_difference_0_6 <= slice1shift_search_0_6 - slice1shift_reference_0;
+      slice1cost_difference_0_7 <= slice1shift_search_0_7 - slice1shift_reference_0;
+      slice1cost_difference_0_8 <= slice1shift_search_0_8 - slice1shift_reference_0;
+      slice1cost_difference_0_9 <= slice1shift_search_0_9 - slice1shift_reference_0;
+      slice1cost_difference_0_10 <= slice1shift_search_0_10 - slice1shift_reference_0;
+      slice1cost_difference_0_11 <= slice1shift_search_0_11 - slice1shift_reference_0;
+      slice1cost_difference_0_12 <= slice1shift_search_0_12 - slice1shift_reference_0;
+      slice1cost_difference_0_13 <= slice1shift_search_0_13 - slice1shift_reference_0;
+      slice1cost_difference_0_14 <= slice1shift_search_0_14 - slice1shift_reference_0;
+      slice1cost_difference_0_15 <= slice1shift_search_0_15 - slice1shift_reference_0;
+      slice1cost_difference_0_16 <= slice1shift_search_0_16 - slice1shift_reference_0;
+      slice1cost_difference_0_17 <= slice1shift_search_0_17 - slice1shift_reference_0;
+      slice1cost_difference_0_18 <= slice1shift_search_0_18 - slice1shift_reference_0;
+      slice1cost_difference_0_19 <= slice1shift_search_0_19 - slice1shift_reference_0;
+      slice1cost_difference_0_20 <= slice1shift_search_0_20 - slice1shift_reference_0;
+      slice1cost_difference_0_21 <= slice1shift_search_0_21 - slice1shift_reference_0;
+      slice1cost_difference_0_22 <= slice1shift_search_0_22 - slice1shift_reference_0;
+      slice1cost_difference_0_23 <= slice1shift_search_0_23 - slice1shift_reference_0;
+      slice1cost_difference_0_24 <= slice1shift_search_0_24 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
+      slice1cost_difference_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
+      slice1cost_difference_1_5 <= slice1shift_search_1_5 - slice1shift_reference_1;
+      slice1cost_difference_1_6 <= slice1shift_search_1_6 - slice1shift_reference_1;
+      slice1cost_difference_1_7 <= slice1shift_search_1_7 - slice1shift_reference_1;
+      slice1cost_difference_1_8 <= slice1shift_search_1_8 - slice1shift_reference_1;
+      slice1cost_difference_1_9 <= slice1shift_search_1_9 - slice1shift_reference_1;
+      slice1cost_difference_1_10 <= slice1shift_search_1_10 - slice1shift_reference_1;
+      slice1cost_difference_1_11 <= slice1shift_search_1_11 - slice1shift_reference_1;
+      slice1cost_difference_1_12 <= slice1shift_search_1_12 - slice1shift_reference_1;
+      slice1cost_difference_1_13 <= slice1shift_search_1_13 - slice1shift_reference_1;
+      slice1cost_difference_1_14 <= slice1shift_search_1_14 - slice1shift_reference_1;
+      slice1cost_difference_1_15 <= slice1shift_search_1_15 - slice1shift_reference_1;
+      slice1cost_difference_1_16 <= slice1shift_search_1_16 - slice1shift_reference_1;
+      slice1cost_difference_1_17 <= slice1shift_search_1_17 - slice1shift_reference_1;
+      slice1cost_difference_1_18 <= slice1shift_search_1_18 - slice1shift_reference_1;
+      slice1cost_difference_1_19 <= slice1shift_search_1_19 - slice1shift_reference_1;
+      slice1cost_difference_1_20 <= slice1shift_search_1_20 - slice1shift_reference_1;
+      slice1cost_difference_1_21 <= slice1shift_search_1_21 - slice1shift_reference_1;
+      slice1cost_difference_1_22 <= slice1shift_search_1_22 - slice1shift_reference_1;
+      slice1cost_difference_1_23 <= slice1shift_search_1_23 - slice1shift_reference_1;
+      slice1cost_difference_1_24 <= slice1shift_search_1_24 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_2_3 <= slice1shift_search_2_3 - slice1shift_reference_2;
+      slice1cost_difference_2_4 <= slice1shift_search_2_4 - slice1shift_reference_2;
+      slice1cost_difference_2_5 <= slice1shift_search_2_5 - slice1shift_reference_2;
+      slice1cost_difference_2_6 <= slice1shift_search_2_6 - slice1shift_reference_2;
+      slice1cost_difference_2_7 <= slice1shift_search_2_7 - slice1shift_reference_2;
+      slice1cost_difference_2_8 <= slice1shift_search_2_8 - slice1shift_reference_2;
+      slice1cost_difference_2_9 <= slice1shift_search_2_9 - slice1shift_reference_2;
+      slice1cost_difference_2_10 <= slice1shift_search_2_10 - slice1shift_reference_2;
+      slice1cost_difference_2_11 <= slice1shift_search_2_11 - slice1shift_reference_2;
+      slice1cost_difference_2_12 <= slice1shift_search_2_12 - slice1shift_reference_2;
+      slice1cost_difference_2_13 <= slice1shift_search_2_13 - slice1shift_reference_2;
+      slice1cost_difference_2_14 <= slice1shift_search_2_14 - slice1shift_reference_2;
+      slice1cost_difference_2_15 <= slice1shift_search_2_15 - slice1shift_reference_2;
+      slice1cost_difference_2_16 <= slice1shift_search_2_16 - slice1shift_reference_2;
+      slice1cost_difference_2_17 <= slice1shift_search_2_17 - slice1shift_reference_2;
+      slice1cost_difference_2_18 <= slice1shift_search_2_18 - slice1shift_reference_2;
+      slice1cost_difference_2_19 <= slice1shift_search_2_19 - slice1shift_reference_2;
+      slice1cost_difference_2_20 <= slice1shift_search_2_20 - slice1shift_reference_2;
+      slice1cost_difference_2_21 <= slice1shift_search_2_21 - slice1shift_reference_2;
+      slice1cost_difference_2_22 <= slice1shift_search_2_22 - slice1shift_reference_2;
+      slice1cost_difference_2_23 <= slice1shift_search_2_23 - slice1shift_reference_2;
+      slice1cost_difference_2_24 <= slice1shift_search_2_24 - slice1shift_reference_2;
+      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_difference_3_3 <= slice1shift_search_3_3 - slice1shift_reference_3;
+      slice1cost_difference_3_4 <= slice1shift_search_3_4 - slice1shift_reference_3;
+      slice1cost_difference_3_5 <= slice1shift_search_3_5 - slice1shift_reference_3;
+      slice1cost_difference_3_6 <= slice1shift_search_3_6 - slice1shift_reference_3;
+      slice1cost_difference_3_7 <= slice1shift_search_3_7 - slice1shift_reference_3;
+      slice1cost_difference_3_8 <= slice1shift_search_3_8 - slice1shift_reference_3;
+      slice1cost_difference_3_9 <= slice1shift_search_3_9 - slice1shift_reference_3;
+      slice1cost_difference_3_10 <= slice1shift_search_3_10 - slice1shift_reference_3;
+      slice1cost_difference_3_11 <= slice1shift_search_3_11 - slice1shift_reference_3;
+      slice1cost_difference_3_12 <= slice1shift_search_3_12 - slice1shift_reference_3;
+      slice1cost_difference_3_13 <= slice1shift_search_3_13 - slice1shift_reference_3;
+      slice1cost_difference_3_14 <= slice1shift_search_3_14 - slice1shift_reference_3;
+      slice1cost_difference_3_15 <= slice1shift_search_3_15 - slice1shift_reference_3;
+      slice1cost_difference_3_16 <= slice1shift_search_3_16 - slice1shift_reference_3;
+      slice1cost_difference_3_17 <= slice1shift_search_3_17 - slice1shift_reference_3;
+      slice1cost_difference_3_18 <= slice1shift_search_3_18 - slice1shift_reference_3;
+      slice1cost_difference_3_19 <= slice1shift_search_3_19 - slice1shift_reference_3;
+      slice1cost_difference_3_20 <= slice1shift_search_3_20 - slice1shift_reference_3;
+      slice1cost_difference_3_21 <= slice1shift_search_3_21 - slice1shift_reference_3;
+      slice1cost_difference_3_22 <= slice1shift_search_3_22 - slice1shift_reference_3;
+      slice1cost_difference_3_23 <= slice1shift_search_3_23 - slice1shift_reference_3;
+      slice1cost_difference_3_24 <= slice1shift_search_3_24 - slice1shift_reference_3;
+      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
+      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
+      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
+      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
+      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
+      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
+      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
+      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
+      slice1cost_reverse_0_8 <= (slice1shift_reference_2 - slice1shift_search_2_8) mod 256;
+      slice1cost_reverse_0_9 <= (slice1shift_reference_2 - slice1shift_search_2_9) mod 256;
+      slice1cost_reverse_0_10 <= (slice1shift_reference_2 - slice1shift_search_2_10) mod 256;
+      slice1cost_reverse_0_11 <= (slice1shift_reference_2 - slice1shift_search_2_11) mod 256;
+      slice1cost_reverse_0_12 <= (slice1shift_reference_2 - slice1shift_search_2_12) mod 256;
+      slice1cost_reverse_0_13 <= (slice1shift_reference_2 - slice1shift_search_2_13) mod 256;
+      slice1cost_reverse_0_14 <= (slice1shift_reference_2 - slice1shift_search_2_14) mod 256;
+      slice1cost_reverse_0_15 <= (slice1shift_reference_2 - slice1shift_search_2_15) mod 256;
+      slice1cost_reverse_0_16 <= (slice1shift_reference_2 - slice1shift_search_2_16) mod 256;
+      slice1cost_reverse_0_17 <= (slice1shift_reference_2 - slice1shift_search_2_17) mod 256;
+      slice1cost_reverse_0_18 <= (slice1shift_reference_2 - slice1shift_search_2_18) mod 256;
+      slice1cost_reverse_0_19 <= (slice1shift_reference_2 - slice1shift_search_2_19) mod 256;
+      slice1cost_reverse_0_20 <= (slice1shift_reference_2 - slice1shift_search_2_20) mod 256;
+      slice1cost_reverse_0_21 <= (slice1shift_reference_2 - slice1shift_search_2_21) mod 256;
+      slice1cost_reverse_0_22 <= (slice1shift_reference_2 - slice1shift_search_2_22) mod 256;
+      slice1cost_reverse_0_23 <= (slice1shift_reference_2 - slice1shift_search_2_23) mod 256;
+      slice1cost_reverse_0_24 <= (slice1shift_reference_2 - slice1shift_search_2_24) mod 256;
+      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+        as_number((slice1cost_difference_1_3 < 0));
+      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+        as_number((slice1cost_difference_1_4 < 0));
+      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+        as_number((slice1cost_difference_1_5 < 0));
+      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+        as_number((slice1cost_difference_1_6 < 0));
+      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+        as_number((slice1cost_difference_1_7 < 0));
+      slice1cost_pair_0_8 <= slice1cost_pair_0_8_choice + folded(slice1cost_difference_1_8) +
+        as_number((slice1cost_difference_1_8 < 0));
+      slice1cost_pair_0_9 <= slice1cost_pair_0_9_choice + folded(slice1cost_difference_1_9) +
+        as_number((slice1cost_difference_1_9 < 0));
+      slice1cost_pair_0_10 <= slice1cost_pair_0_10_choice + folded(slice1cost_difference_1_10) +
+        as_number((slice1cost_difference_1_10 < 0));
+      slice1cost_pair_0_11 <= slice1cost_pair_0_11_choice + folded(slice1cost_difference_1_11) +
+        as_number((slice1cost_difference_1_11 < 0));
+      slice1cost_pair_0_12 <= slice1cost_pair_0_12_choice + folded(slice1cost_difference_1_12) +
+        as_number((slice1cost_difference_1_12 < 0));
+      slice1cost_pair_0_13 <= slice1cost_pair_0_13_choice + folded(slice1cost_difference_1_13) +
+        as_number((slice1cost_difference_1_13 < 0));
+      slice1cost_pair_0_14 <= slice1cost_pair_0_14_choice + folded(slice1cost_difference_1_14) +
+        as_number((slice1cost_difference_1_14 < 0));
+      slice1cost_pair_0_15 <= slice1cost_pair_0_15_choice + folded(slice1cost_difference_1_15) +
+        as_number((slice1cost_difference_1_15 < 0));
+      slice1cost_pair_0_16 <= slice1cost_pair_0_16_choice + folded(slice1cost_difference_1_16) +
+        as_number((slice1cost_difference_1_16 < 0));
+      slice1cost_pair_0_17 <= slice1cost_pair_0_17_choice + folded(slice1cost_difference_1_17) +
+        as_number((slice1cost_difference_1_17 < 0));
+      slice1cost_pair_0_18 <= slice1cost_pair_0_18_choice + folded(slice1cost_difference_1_18) +
+        as_number((slice1cost_difference_1_18 < 0));
+      slice1cost_pair_0_19 <= slice1cost_pair_0_19_choice + folded(slice1cost_difference_1_19) +
+        as_number((slice1cost_difference_1_19 < 0));
+      slice1cost_pair_0_20 <= slice1cost_pair_0_20_choice + folded(slice1cost_difference_1_20) +
+        as_number((slice1cost_difference_1_20 < 0));
+      slice1cost_pair_0_21 <= slice1cost_pair_0_21_choice + folded(slice1cost_difference_1_21) +
+        as_number((slice1cost_difference_1_21 < 0));
+      slice1cost_pair_0_22 <= slice1cost_pair_0_22_choice + folded(slice1cost_difference_1_22) +
+        as_number((slice1cost_difference_1_22 < 0));
+      slice1cost_pair_0_23 <= slice1cost_pair_0_23_choice + folded(slice1cost_difference_1_23) +
+        as_number((slice1cost_difference_1_23 < 0));
+      slice1cost_pair_0_24 <= slice1cost_pair_0_24_choice + folded(slice1cost_difference_1_24) +
+        as_number((slice1cost_difference_1_24 < 0));
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
+      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
+      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
+      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
+      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
+      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
+      slice1cost_single_0_8 <= folded(slice1cost_difference_0_8);
+      slice1cost_single_0_9 <= folded(slice1cost_difference_0_9);
+      slice1cost_single_0_10 <= folded(slice1cost_difference_0_10);
+      slice1cost_single_0_11 <= folded(slice1cost_difference_0_11);
+      slice1cost_single_0_12 <= folded(slice1cost_difference_0_12);
+      slice1cost_single_0_13 <= folded(slice1cost_difference_0_13);
+      slice1cost_single_0_14 <= folded(slice1cost_difference_0_14);
+      slice1cost_single_0_15 <= folded(slice1cost_difference_0_15);
+      slice1cost_single_0_16 <= folded(slice1cost_difference_0_16);
+      slice1cost_single_0_17 <= folded(slice1cost_difference_0_17);
+      slice1cost_single_0_18 <= folded(slice1cost_difference_0_18);
+      slice1cost_single_0_19 <= folded(slice1cost_difference_0_19);
+      slice1cost_single_0_20 <= folded(slice1cost_difference_0_20);
+      slice1cost_single_0_21 <= folded(slice1cost_difference_0_21);
+      slice1cost_single_0_22 <= folded(slice1cost_difference_0_22);
+      slice1cost_single_0_23 <= folded(slice1cost_difference_0_23);
+      slice1cost_single_0_24 <= folded(slice1cost_difference_0_24);
+      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
+      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
+      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
+      slice1cost_single_3_3 <= folded(slice1cost_difference_3_3);
+      slice1cost_single_3_4 <= folded(slice1cost_difference_3_4);
+      slice1cost_single_3_5 <= folded(slice1cost_difference_3_5);
+      slice1cost_single_3_6 <= folded(slice1cost_difference_3_6);
+      slice1cost_single_3_7 <= folded(slice1cost_difference_3_7);
+      slice1cost_single_3_8 <= folded(slice1cost_difference_3_8);
+      slice1cost_single_3_9 <= folded(slice1cost_difference_3_9);
+      slice1cost_single_3_10 <= folded(slice1cost_difference_3_10);
+      slice1cost_single_3_11 <= folded(slice1cost_difference_3_11);
+      slice1cost_single_3_12 <= folded(slice1cost_difference_3_12);
+      slice1cost_single_3_13 <= folded(slice1cost_difference_3_13);
+      slice1cost_single_3_14 <= folded(slice1cost_difference_3_14);
+      slice1cost_single_3_15 <= folded(slice1cost_difference_3_15);
+      slice1cost_single_3_16 <= folded(slice1cost_difference_3_16);
+      slice1cost_single_3_17 <= folded(slice1cost_difference_3_17);
+      slice1cost_single_3_18 <= folded(slice1cost_difference_3_18);
+      slice1cost_single_3_19 <= folded(slice1cost_difference_3_19);
+      slice1cost_single_3_20 <= folded(slice1cost_difference_3_20);
+      slice1cost_single_3_21 <= folded(slice1cost_difference_3_21);
+      slice1cost_single_3_22 <= folded(slice1cost_difference_3_22);
+      slice1cost_single_3_23 <= folded(slice1cost_difference_3_23);
+      slice1cost_single_3_24 <= folded(slice1cost_difference_3_24);
+      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
+      slice1cost_negative_0_8 <= slice1cost_difference_0_8 < 0;
+      slice1cost_negative_0_9 <= slice1cost_difference_0_9 < 0;
+      slice1cost_negative_0_10 <= slice1cost_difference_0_10 < 0;
+      slice1cost_negative_0_11 <= slice1cost_difference_0_11 < 0;
+      slice1cost_negative_0_12 <= slice1cost_difference_0_12 < 0;
+      slice1cost_negative_0_13 <= slice1cost_difference_0_13 < 0;
+      slice1cost_negative_0_14 <= slice1cost_difference_0_14 < 0;
+      slice1cost_negative_0_15 <= slice1cost_difference_0_15 < 0;
+      slice1cost_negative_0_16 <= slice1cost_difference_0_16 < 0;
+      slice1cost_negative_0_17 <= slice1cost_difference_0_17 < 0;
+      slice1cost_negative_0_18 <= slice1cost_difference_0_18 < 0;
+      slice1cost_negative_0_19 <= slice1cost_difference_0_19 < 0;
+      slice1cost_negative_0_20 <= slice1cost_difference_0_20 < 0;
+      slice1cost_negative_0_21 <= slice1cost_difference_0_21 < 0;
+      slice1cost_negative_0_22 <= slice1cost_difference_0_22 < 0;
+      slice1cost_negative_0_23 <= slice1cost_difference_0_23 < 0;
+      slice1cost_negative_0_24 <= slice1cost_difference_0_24 < 0;
+      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
+      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
+      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
+      slice1cost_negative_3_3 <= slice1cost_difference_3_3 < 0;
+      slice1cost_negative_3_4 <= slice1cost_difference_3_4 < 0;
+      slice1cost_negative_3_5 <= slice1cost_difference_3_5 < 0;
+      slice1cost_negative_3_6 <= slice1cost_difference_3_6 < 0;
+      slice1cost_negative_3_7 <= slice1cost_difference_3_7 < 0;
+      slice1cost_negative_3_8 <= slice1cost_difference_3_8 < 0;
+      slice1cost_negative_3_9 <= slice1cost_difference_3_9 < 0;
+      slice1cost_negative_3_10 <= slice1cost_difference_3_10 < 0;
+      slice1cost_negative_3_11 <= slice1cost_difference_3_11 < 0;
+      slice1cost_negative_3_12 <= slice1cost_difference_3_12 < 0;
+      slice1cost_negative_3_13 <= slice1cost_difference_3_13 < 0;
+      slice1cost_negative_3_14 <= slice1cost_difference_3_14 < 0;
+      slice1cost_negative_3_15 <= slice1cost_difference_3_15 < 0;
+      slice1cost_negative_3_16 <= slice1cost_difference_3_16 < 0;
+      slice1cost_negative_3_17 <= slice1cost_difference_3_17 < 0;
+      slice1cost_negative_3_18 <= slice1cost_difference_3_18 < 0;
+      slice1cost_negative_3_19 <= slice1cost_difference_3_19 < 0;
+      slice1cost_negative_3_20 <= slice1cost_difference_3_20 < 0;
+      slice1cost_negative_3_21 <= slice1cost_difference_3_21 < 0;
+      slice1cost_negative_3_22 <= slice1cost_difference_3_22 < 0;
+      slice1cost_negative_3_23 <= slice1cost_difference_3_23 < 0;
+      slice1cost_negative_3_24 <= slice1cost_difference_3_24 < 0;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
+        slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
+        slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
+        slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
+        slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
+        slice1cost_pair_0_4 + slice1cost_single_0_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
+        slice1cost_pair_0_5 + slice1cost_single_0_5;
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
+        slice1cost_pair_0_6 + slice1cost_single_0_6;
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
+        slice1cost_pair_0_7 + slice1cost_single_0_7;
+      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_8) +
+        slice1cost_pair_0_8 + slice1cost_single_0_8;
+      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_9) +
+        slice1cost_pair_0_9 + slice1cost_single_0_9;
+      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_10) +
+        slice1cost_pair_0_10 + slice1cost_single_0_10;
+      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_11) +
+        slice1cost_pair_0_11 + slice1cost_single_0_11;
+      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_12) +
+        slice1cost_pair_0_12 + slice1cost_single_0_12;
+      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_13) +
+        slice1cost_pair_0_13 + slice1cost_single_0_13;
+      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_14) +
+        slice1cost_pair_0_14 + slice1cost_single_0_14;
+      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_15) +
+        slice1cost_pair_0_15 + slice1cost_single_0_15;
+      slice1cost_column_0_16 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_16) +
+        slice1cost_pair_0_16 + slice1cost_single_0_16;
+      slice1cost_column_0_17 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_17) +
+        slice1cost_pair_0_17 + slice1cost_single_0_17;
+      slice1cost_column_0_18 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_18) +
+        slice1cost_pair_0_18 + slice1cost_single_0_18;
+      slice1cost_column_0_19 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_19) +
+        slice1cost_pair_0_19 + slice1cost_single_0_19;
+      slice1cost_column_0_20 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_20) +
+        slice1cost_pair_0_20 + slice1cost_single_0_20;
+      slice1cost_column_0_21 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_21) +
+        slice1cost_pair_0_21 + slice1cost_single_0_21;
+      slice1cost_column_0_22 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_22) +
+        slice1cost_pair_0_22 + slice1cost_single_0_22;
+      slice1cost_column_0_23 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_23) +
+        slice1cost_pair_0_23 + slice1cost_single_0_23;
+      slice1cost_column_0_24 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_24) +
+        slice1cost_pair_0_24 + slice1cost_single_0_24;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
+        slice1cost_pair_0_0 + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
+        slice1cost_pair_0_1 + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
+        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_column_1_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_3) +
+        slice1cost_pair_0_3 + slice1cost_single_3_3;
+      slice1cost_column_1_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_4) +
+        slice1cost_pair_0_4 + slice1cost_single_3_4;
+      slice1cost_column_1_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_5) +
+        slice1cost_pair_0_5 + slice1cost_single_3_5;
+      slice1cost_column_1_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_6) +
+        slice1cost_pair_0_6 + slice1cost_single_3_6;
+      slice1cost_column_1_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_7) +
+        slice1cost_pair_0_7 + slice1cost_single_3_7;
+      slice1cost_column_1_8 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_8) +
+        slice1cost_pair_0_8 + slice1cost_single_3_8;
+      slice1cost_column_1_9 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_9) +
+        slice1cost_pair_0_9 + slice1cost_single_3_9;
+      slice1cost_column_1_10 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_10) +
+        slice1cost_pair_0_10 + slice1cost_single_3_10;
+      slice1cost_column_1_11 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_11) +
+        slice1cost_pair_0_11 + slice1cost_single_3_11;
+      slice1cost_column_1_12 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_12) +
+        slice1cost_pair_0_12 + slice1cost_single_3_12;
+      slice1cost_column_1_13 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_13) +
+        slice1cost_pair_0_13 + slice1cost_single_3_13;
+      slice1cost_column_1_14 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_14) +
+        slice1cost_pair_0_14 + slice1cost_single_3_14;
+      slice1cost_column_1_15 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_15) +
+        slice1cost_pair_0_15 + slice1cost_single_3_15;
+      slice1cost_column_1_16 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_16) +
+        slice1cost_pair_0_16 + slice1cost_single_3_16;
+      slice1cost_column_1_17 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_17) +
+        slice1cost_pair_0_17 + slice1cost_single_3_17;
+      slice1cost_column_1_18 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_18) +
+        slice1cost_pair_0_18 + slice1cost_single_3_18;
+      slice1cost_column_1_19 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_19) +
+        slice1cost_pair_0_19 + slice1cost_single_3_19;
+      slice1cost_column_1_20 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_20) +
+        slice1cost_pair_0_20 + slice1cost_single_3_20;
+      slice1cost_column_1_21 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_21) +
+        slice1cost_pair_0_21 + slice1cost_single_3_21;
+      slice1cost_column_1_22 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_22) +
+        slice1cost_pair_0_22 + slice1cost_single_3_22;
+      slice1cost_column_1_23 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_23) +
+        slice1cost_pair_0_23 + slice1cost_single_3_23;
+      slice1cost_column_1_24 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_24) +
+        slice1cost_pair_0_24 + slice1cost_single_3_24;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_0_3 <= slice1cost_column_0_3;
+        slice1window_partial_0_0_4 <= slice1cost_column_0_4;
+        slice1window_partial_0_0_5 <= slice1cost_column_0_5;
+        slice1window_partial_0_0_6 <= slice1cost_column_0_6;
+        slice1window_partial_0_0_7 <= slice1cost_column_0_7;
+        slice1window_partial_0_0_8 <= slice1cost_column_0_8;
+        slice1window_partial_0_0_9 <= slice1cost_column_0_9;
+        slice1window_partial_0_0_10 <= slice1cost_column_0_10;
+        slice1window_partial_0_0_11 <= slice1cost_column_0_11;
+        slice1window_partial_0_0_12 <= slice1cost_column_0_12;
+        slice1window_partial_0_0_13 <= slice1cost_column_0_13;
+        slice1window_partial_0_0_14 <= slice1cost_column_0_14;
+        slice1window_partial_0_0_15 <= slice1cost_column_0_15;
+        slice1window_partial_0_0_16 <= slice1cost_column_0_16;
+        slice1window_partial_0_0_17 <= slice1cost_column_0_17;
+        slice1window_partial_0_0_18 <= slice1cost_column_0_18;
+        slice1window_partial_0_0_19 <= slice1cost_column_0_19;
+        slice1window_partial_0_0_20 <= slice1cost_column_0_20;
+        slice1window_partial_0_0_21 <= slice1cost_column_0_21;
+        slice1window_partial_0_0_22 <= slice1cost_column_0_22;
+        slice1window_partial_0_0_23 <= slice1cost_column_0_23;
+        slice1window_partial_0_0_24 <= slice1cost_column_0_24;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_1_3 <= slice1cost_column_0_3 + slice1window_partial_0_0_3;
+        slice1window_partial_0_1_4 <= slice1cost_column_0_4 + slice1window_partial_0_0_4;
+        slice1window_partial_0_1_5 <= slice1cost_column_0_5 + slice1window_partial_0_0_5;
+        slice1window_partial_0_1_6 <= slice1cost_column_0_6 + slice1window_partial_0_0_6;
+        slice1window_partial_0_1_7 <= slice1cost_column_0_7 + slice1window_partial_0_0_7;
+        slice1window_partial_0_1_8 <= slice1cost_column_0_8 + slice1window_partial_0_0_8;
+        slice1window_partial_0_1_9 <= slice1cost_column_0_9 + slice1window_partial_0_0_9;
+        slice1window_partial_0_1_10 <= slice1cost_column_0_10 + slice1window_partial_0_0_10;
+        slice1window_partial_0_1_11 <= slice1cost_column_0_11 + slice1window_partial_0_0_11;
+        slice1window_partial_0_1_12 <= slice1cost_column_0_12 + slice1window_partial_0_0_12;
+        slice1window_partial_0_1_13 <= slice1cost_column_0_13 + slice1window_partial_0_0_13;
+        slice1window_partial_0_1_14 <= slice1cost_column_0_14 + slice1window_partial_0_0_14;
+        slice1window_partial_0_1_15 <= slice1cost_column_0_15 + slice1window_partial_0_0_15;
+        slice1window_partial_0_1_16 <= slice1cost_column_0_16 + slice1window_partial_0_0_16;
+        slice1window_partial_0_1_17 <= slice1cost_column_0_17 + slice1window_partial_0_0_17;
+        slice1window_partial_0_1_18 <= slice1cost_column_0_18 + slice1window_partial_0_0_18;
+        slice1window_partial_0_1_19 <= slice1cost_column_0_19 + slice1window_partial_0_0_19;
+        slice1window_partial_0_1_20 <= slice1cost_column_0_20 + slice1window_partial_0_0_20;
+        slice1window_partial_0_1_21 <= slice1cost_column_0_21 + slice1window_partial_0_0_21;
+        slice1window_partial_0_1_22 <= slice1cost_column_0_22 + slice1window_partial_0_0_22;
+        slice1window_partial_0_1_23 <= slice1cost_column_0_23 + slice1window_partial_0_0_23;
+        slice1window_partial_0_1_24 <= slice1cost_column_0_24 + slice1window_partial_0_0_24;
+        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
+        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
+        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
+        slice1window_partial_1_0_3 <= slice1cost_column_1_3;
+        slice1window_partial_1_0_4 <= slice1cost_column_1_4;
+        slice1window_partial_1_0_5 <= slice1cost_column_1_5;
+        slice1window_partial_1_0_6 <= slice1cost_column_1_6;
+        slice1window_partial_1_0_7 <= slice1cost_column_1_7;
+        slice1window_partial_1_0_8 <= slice1cost_column_1_8;
+        slice1window_partial_1_0_9 <= slice1cost_column_1_9;
+        slice1window_partial_1_0_10 <= slice1cost_column_1_10;
+        slice1window_partial_1_0_11 <= slice1cost_column_1_11;
+        slice1window_partial_1_0_12 <= slice1cost_column_1_12;
+        slice1window_partial_1_0_13 <= slice1cost_column_1_13;
+        slice1window_partial_1_0_14 <= slice1cost_column_1_14;
+        slice1window_partial_1_0_15 <= slice1cost_column_1_15;
+        slice1window_partial_1_0_16 <= slice1cost_column_1_16;
+        slice1window_partial_1_0_17 <= slice1cost_column_1_17;
+        slice1window_partial_1_0_18 <= slice1cost_column_1_18;
+        slice1window_partial_1_0_19 <= slice1cost_column_1_19;
+        slice1window_partial_1_0_20 <= slice1cost_column_1_20;
+        slice1window_partial_1_0_21 <= slice1cost_column_1_21;
+        slice1window_partial_1_0_22 <= slice1cost_column_1_22;
+        slice1window_partial_1_0_23 <= slice1cost_column_1_23;
+        slice1window_partial_1_0_24 <= slice1cost_column_1_24;
+        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
+        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
+        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
+        slice1window_partial_1_1_3 <= slice1cost_column_1_3 + slice1window_partial_1_0_3;
+        slice1window_partial_1_1_4 <= slice1cost_column_1_4 + slice1window_partial_1_0_4;
+        slice1window_partial_1_1_5 <= slice1cost_column_1_5 + slice1window_partial_1_0_5;
+        slice1window_partial_1_1_6 <= slice1cost_column_1_6 + slice1window_partial_1_0_6;
+        slice1window_partial_1_1_7 <= slice1cost_column_1_7 + slice1window_partial_1_0_7;
+        slice1window_partial_1_1_8 <= slice1cost_column_1_8 + slice1window_partial_1_0_8;
+        slice1window_partial_1_1_9 <= slice1cost_column_1_9 + slice1window_partial_1_0_9;
+        slice1window_partial_1_1_10 <= slice1cost_column_1_10 + slice1window_partial_1_0_10;
+        slice1window_partial_1_1_11 <= slice1cost_column_1_11 + slice1window_partial_1_0_11;
+        slice1window_partial_1_1_12 <= slice1cost_column_1_12 + slice1window_partial_1_0_12;
+        slice1window_partial_1_1_13 <= slice1cost_column_1_13 + slice1window_partial_1_0_13;
+        slice1window_partial_1_1_14 <= slice1cost_column_1_14 + slice1window_partial_1_0_14;
+        slice1window_partial_1_1_15 <= slice1cost_column_1_15 + slice1window_partial_1_0_15;
+        slice1window_partial_1_1_16 <= slice1cost_column_1_16 + slice1window_partial_1_0_16;
+        slice1window_partial_1_1_17 <= slice1cost_column_1_17 + slice1window_partial_1_0_17;
+        slice1window_partial_1_1_18 <= slice1cost_column_1_18 + slice1window_partial_1_0_18;
+        slice1window_partial_1_1_19 <= slice1cost_column_1_19 + slice1window_partial_1_0_19;
+        slice1window_partial_1_1_20 <= slice1cost_column_1_20 + slice1window_partial_1_0_20;
+        slice1window_partial_1_1_21 <= slice1cost_column_1_21 + slice1window_partial_1_0_21;
+        slice1window_partial_1_1_22 <= slice1cost_column_1_22 + slice1window_partial_1_0_22;
+        slice1window_partial_1_1_23 <= slice1cost_column_1_23 + slice1window_partial_1_0_23;
+        slice1window_partial_1_1_24 <= slice1cost_column_1_24 + slice1window_partial_1_0_24;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
+      slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
+      slice1window_sum_0_5 <= slice1cost_column_0_5 + slice1window_partial_0_1_5;
+      slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_1_6;
+      slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_1_7;
+      slice1window_sum_0_8 <= slice1cost_column_0_8 + slice1window_partial_0_1_8;
+      slice1window_sum_0_9 <= slice1cost_column_0_9 + slice1window_partial_0_1_9;
+      slice1window_sum_0_10 <= slice1cost_column_0_10 + slice1window_partial_0_1_10;
+      slice1window_sum_0_11 <= slice1cost_column_0_11 + slice1window_partial_0_1_11;
+      slice1window_sum_0_12 <= slice1cost_column_0_12 + slice1window_partial_0_1_12;
+      slice1window_sum_0_13 <= slice1cost_column_0_13 + slice1window_partial_0_1_13;
+      slice1window_sum_0_14 <= slice1cost_column_0_14 + slice1window_partial_0_1_14;
+      slice1window_sum_0_15 <= slice1cost_column_0_15 + slice1window_partial_0_1_15;
+      slice1window_sum_0_16 <= slice1cost_column_0_16 + slice1window_partial_0_1_16;
+      slice1window_sum_0_17 <= slice1cost_column_0_17 + slice1window_partial_0_1_17;
+      slice1window_sum_0_18 <= slice1cost_column_0_18 + slice1window_partial_0_1_18;
+      slice1window_sum_0_19 <= slice1cost_column_0_19 + slice1window_partial_0_1_19;
+      slice1window_sum_0_20 <= slice1cost_column_0_20 + slice1window_partial_0_1_20;
+      slice1window_sum_0_21 <= slice1cost_column_0_21 + slice1window_partial_0_1_21;
+      slice1window_sum_0_22 <= slice1cost_column_0_22 + slice1window_partial_0_1_22;
+      slice1window_sum_0_23 <= slice1cost_column_0_23 + slice1window_partial_0_1_23;
+      slice1window_sum_0_24 <= slice1cost_column_0_24 + slice1window_partial_0_1_24;
+      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
+      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
+      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
+      slice1window_sum_1_3 <= slice1cost_column_1_3 + slice1window_partial_1_1_3;
+      slice1window_sum_1_4 <= slice1cost_column_1_4 + slice1window_partial_1_1_4;
+      slice1window_sum_1_5 <= slice1cost_column_1_5 + slice1window_partial_1_1_5;
+      slice1window_sum_1_6 <= slice1cost_column_1_6 + slice1window_partial_1_1_6;
+      slice1window_sum_1_7 <= slice1cost_column_1_7 + slice1window_partial_1_1_7;
+      slice1window_sum_1_8 <= slice1cost_column_1_8 + slice1window_partial_1_1_8;
+      slice1window_sum_1_9 <= slice1cost_column_1_9 + slice1window_partial_1_1_9;
+      slice1window_sum_1_10 <= slice1cost_column_1_10 + slice1window_partial_1_1_10;
+      slice1window_sum_1_11 <= slice1cost_column_1_11 + slice1window_partial_1_1_11;
+      slice1window_sum_1_12 <= slice1cost_column_1_12 + slice1window_partial_1_1_12;
+      slice1window_sum_1_13 <= slice1cost_column_1_13 + slice1window_partial_1_1_13;
+      slice1window_sum_1_14 <= slice1cost_column_1_14 + slice1window_partial_1_1_14;
+      slice1window_sum_1_15 <= slice1cost_column_1_15 + slice1window_partial_1_1_15;
+      slice1window_sum_1_16 <= slice1cost_column_1_16 + slice1window_partial_1_1_16;
+      slice1window_sum_1_17 <= slice1cost_column_1_17 + slice1window_partial_1_1_17;
+      slice1window_sum_1_18 <= slice1cost_column_1_18 + slice1window_partial_1_1_18;
+      slice1window_sum_1_19 <= slice1cost_column_1_19 + slice1window_partial_1_1_19;
+      slice1window_sum_1_20 <= slice1cost_column_1_20 + slice1window_partial_1_1_20;
+      slice1window_sum_1_21 <= slice1cost_column_1_21 + slice1window_partial_1_1_21;
+      slice1window_sum_1_22 <= slice1cost_column_1_22 + slice1window_partial_1_1_22;
+      slice1window_sum_1_23 <= slice1cost_column_1_23 + slice1window_partial_1_1_23;
+      slice1window_sum_1_24 <= slice1cost_column_1_24 + slice1window_partial_1_1_24;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4_is_less := slice1window_sum_0_9 < slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5_is_less := slice1window_sum_0_11 < slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6_is_less := slice1window_sum_0_13 < slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7_is_less := slice1window_sum_0_15 < slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8_is_less := slice1window_sum_0_17 < slice1window_sum_0_16;
+      slice1winner1_best_cost_0_9_is_less := slice1window_sum_0_19 < slice1window_sum_0_18;
+      slice1winner1_best_cost_0_10_is_less := slice1window_sum_0_21 < slice1window_sum_0_20;
+      slice1winner1_best_cost_0_11_is_less := slice1window_sum_0_23 < slice1window_sum_0_22;
+      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1_is_less := slice1window_sum_1_3 < slice1window_sum_1_2;
+      slice1winner1_best_cost_1_2_is_less := slice1window_sum_1_5 < slice1window_sum_1_4;
+      slice1winner1_best_cost_1_3_is_less := slice1window_sum_1_7 < slice1window_sum_1_6;
+      slice1winner1_best_cost_1_4_is_less := slice1window_sum_1_9 < slice1window_sum_1_8;
+      slice1winner1_best_cost_1_5_is_less := slice1window_sum_1_11 < slice1window_sum_1_10;
+      slice1winner1_best_cost_1_6_is_less := slice1window_sum_1_13 < slice1window_sum_1_12;
+      slice1winner1_best_cost_1_7_is_less := slice1window_sum_1_15 < slice1window_sum_1_14;
+      slice1winner1_best_cost_1_8_is_less := slice1window_sum_1_17 < slice1window_sum_1_16;
+      slice1winner1_best_cost_1_9_is_less := slice1window_sum_1_19 < slice1window_sum_1_18;
+      slice1winner1_best_cost_1_10_is_less := slice1window_sum_1_21 < slice1window_sum_1_20;
+      slice1winner1_best_cost_1_11_is_less := slice1window_sum_1_23 < slice1window_sum_1_22;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
+        slice1window_sum_0_8;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
+        slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
+        slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
+        slice1window_sum_0_14;
+      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
+        slice1window_sum_0_16;
+      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
+        slice1window_sum_0_18;
+      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
+        slice1window_sum_0_20;
+      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
+        slice1window_sum_0_22;
+      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
+        slice1window_sum_1_2;
+      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
+        slice1window_sum_1_4;
+      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
+        slice1window_sum_1_6;
+      slice1winner1_best_cost_1_4 <= slice1window_sum_1_9 when slice1winner1_best_cost_1_4_is_less else
+        slice1window_sum_1_8;
+      slice1winner1_best_cost_1_5 <= slice1window_sum_1_11 when slice1winner1_best_cost_1_5_is_less else
+        slice1window_sum_1_10;
+      slice1winner1_best_cost_1_6 <= slice1window_sum_1_13 when slice1winner1_best_cost_1_6_is_less else
+        slice1window_sum_1_12;
+      slice1winner1_best_cost_1_7 <= slice1window_sum_1_15 when slice1winner1_best_cost_1_7_is_less else
+        slice1window_sum_1_14;
+      slice1winner1_best_cost_1_8 <= slice1window_sum_1_17 when slice1winner1_best_cost_1_8_is_less else
+        slice1window_sum_1_16;
+      slice1winner1_best_cost_1_9 <= slice1window_sum_1_19 when slice1winner1_best_cost_1_9_is_less else
+        slice1window_sum_1_18;
+      slice1winner1_best_cost_1_10 <= slice1window_sum_1_21 when slice1winner1_best_cost_1_10_is_less else
+        slice1window_sum_1_20;
+      slice1winner1_best_cost_1_11 <= slice1window_sum_1_23 when slice1winner1_best_cost_1_11_is_less else
+        slice1window_sum_1_22;
+      slice1winner1_best_cost_1_12 <= slice1window_sum_1_24;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
+      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
+      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
+      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
+      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
+      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
+      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
+      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
+      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
+      slice1winner1_best_index_1_4 <= 9 when slice1winner1_best_cost_1_4_is_less else 8;
+      slice1winner1_best_index_1_5 <= 11 when slice1winner1_best_cost_1_5_is_less else 10;
+      slice1winner1_best_index_1_6 <= 13 when slice1winner1_best_cost_1_6_is_less else 12;
+      slice1winner1_best_index_1_7 <= 15 when slice1winner1_best_cost_1_7_is_less else 14;
+      slice1winner1_best_index_1_8 <= 17 when slice1winner1_best_cost_1_8_is_less else 16;
+      slice1winner1_best_index_1_9 <= 19 when slice1winner1_best_cost_1_9_is_less else 18;
+      slice1winner1_best_index_1_10 <= 21 when slice1winner1_best_cost_1_10_is_less else 20;
+      slice1winner1_best_index_1_11 <= 23 when slice1winner1_best_cost_1_11_is_less else 22;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2_is_less := slice1winner1_best_cost_0_5 < slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3_is_less := slice1winner1_best_cost_0_7 < slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4_is_less := slice1winner1_best_cost_0_9 < slice1winner1_best_cost_0_8;
+      slice1winner2_best_cost_0_5_is_less := slice1winner1_best_cost_0_11 < slice1winner1_best_cost_0_10;
+      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_1_1_is_less := slice1winner1_best_cost_1_3 < slice1winner1_best_cost_1_2;
+      slice1winner2_best_cost_1_2_is_less := slice1winner1_best_cost_1_5 < slice1winner1_best_cost_1_4;
+      slice1winner2_best_cost_1_3_is_less := slice1winner1_best_cost_1_7 < slice1winner1_best_cost_1_6;
+      slice1winner2_best_cost_1_4_is_less := slice1winner1_best_cost_1_9 < slice1winner1_best_cost_1_8;
+      slice1winner2_best_cost_1_5_is_less := slice1winner1_best_cost_1_11 < slice1winner1_best_cost_1_10;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_cost_0_8;
+      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_cost_0_10;
+      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
+        slice1winner1_best_cost_1_2;
+      slice1winner2_best_cost_1_2 <= slice1winner1_best_cost_1_5 when slice1winner2_best_cost_1_2_is_less else
+        slice1winner1_best_cost_1_4;
+      slice1winner2_best_cost_1_3 <= slice1winner1_best_cost_1_7 when slice1winner2_best_cost_1_3_is_less else
+        slice1winner1_best_cost_1_6;
+      slice1winner2_best_cost_1_4 <= slice1winner1_best_cost_1_9 when slice1winner2_best_cost_1_4_is_less else
+        slice1winner1_best_cost_1_8;
+      slice1winner2_best_cost_1_5 <= slice1winner1_best_cost_1_11 when slice1winner2_best_cost_1_5_is_less else
+        slice1winner1_best_cost_1_10;
+      slice1winner2_best_cost_1_6 <= slice1winner1_best_cost_1_12;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_index_0_2;
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
+        slice1winner1_best_index_0_4;
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
+        slice1winner1_best_index_0_6;
+      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
+        slice1winner1_best_index_0_8;
+      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
+        slice1winner1_best_index_0_10;
+      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
+        slice1winner1_best_index_1_2;
+      slice1winner2_best_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_best_cost_1_2_is_less else
+        slice1winner1_best_index_1_4;
+      slice1winner2_best_index_1_3 <= slice1winner1_best_index_1_7 when slice1winner2_best_cost_1_3_is_less else
+        slice1winner1_best_index_1_6;
+      slice1winner2_best_index_1_4 <= slice1winner1_best_index_1_9 when slice1winner2_best_cost_1_4_is_less else
+        slice1winner1_best_index_1_8;
+      slice1winner2_best_index_1_5 <= slice1winner1_best_index_1_11 when slice1winner2_best_cost_1_5_is_less else
+        slice1winner1_best_index_1_10;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1_is_less := slice1winner2_best_cost_0_3 < slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2_is_less := slice1winner2_best_cost_0_5 < slice1winner2_best_cost_0_4;
+      slice1winner3_best_cost_1_0_is_less := slice1winner2_best_cost_1_1 < slice1winner2_best_cost_1_0;
+      slice1winner3_best_cost_1_1_is_less := slice1winner2_best_cost_1_3 < slice1winner2_best_cost_1_2;
+      slice1winner3_best_cost_1_2_is_less := slice1winner2_best_cost_1_5 < slice1winner2_best_cost_1_4;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_cost_0_4;
+      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
+      slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
+        slice1winner2_best_cost_1_0;
+      slice1winner3_best_cost_1_1 <= slice1winner2_best_cost_1_3 when slice1winner3_best_cost_1_1_is_less else
+        slice1winner2_best_cost_1_2;
+      slice1winner3_best_cost_1_2 <= slice1winner2_best_cost_1_5 when slice1winner3_best_cost_1_2_is_less else
+        slice1winner2_best_cost_1_4;
+      slice1winner3_best_cost_1_3 <= slice1winner2_best_cost_1_6;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
+        slice1winner2_best_index_0_2;
+      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
+        slice1winner2_best_index_0_4;
+      slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
+        slice1winner2_best_index_1_0;
+      slice1winner3_best_index_1_1 <= slice1winner2_best_index_1_3 when slice1winner3_best_cost_1_1_is_less else
+        slice1winner2_best_index_1_2;
+      slice1winner3_best_index_1_2 <= slice1winner2_best_index_1_5 when slice1winner3_best_cost_1_2_is_less else
+        slice1winner2_best_index_1_4;
+      -- slice1winner4
+      slice1winner4_best_cost_0_0_is_less := slice1winner3_best_cost_0_1 < slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1_is_less := slice1winner3_best_cost_0_3 < slice1winner3_best_cost_0_2;
+      slice1winner4_best_cost_1_0_is_less := slice1winner3_best_cost_1_1 < slice1winner3_best_cost_1_0;
+      slice1winner4_best_cost_1_1_is_less := slice1winner3_best_cost_1_3 < slice1winner3_best_cost_1_2;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_cost_0_2;
+      slice1winner4_best_cost_1_0 <= slice1winner3_best_cost_1_1 when slice1winner4_best_cost_1_0_is_less else
+        slice1winner3_best_cost_1_0;
+      slice1winner4_best_cost_1_1 <= slice1winner3_best_cost_1_3 when slice1winner4_best_cost_1_1_is_less else
+        slice1winner3_best_cost_1_2;
+      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
+        slice1winner3_best_index_0_2;
+      slice1winner4_best_index_1_0 <= slice1winner3_best_index_1_1 when slice1winner4_best_cost_1_0_is_less else
+        slice1winner3_best_index_1_0;
+      slice1winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_1_1_is_less else
+        slice1winner3_best_index_1_2;
+      -- slice1winner5
+      slice1winner5_best_cost_0_0_is_less := slice1winner4_best_cost_0_1 < slice1winner4_best_cost_0_0;
+      slice1winner5_best_cost_1_0_is_less := slice1winner4_best_cost_1_1 < slice1winner4_best_cost_1_0;
+      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_cost_0_0;
+      slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1_1 when slice1winner5_best_cost_1_0_is_less else
+        slice1winner4_best_cost_1_0;
+      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
+        slice1winner4_best_index_0_0;
+      slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_1 when slice1winner5_best_cost_1_0_is_less else
+        slice1winner4_best_index_1_0;
+      -- slice1
+      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner5_best_cost_0_0;
+      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner5_best_cost_1_0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner5_best_cost_1_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
+        (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
+      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
+        (((slice1winner5_best_index_1_0 / 2) + 25) * 2) + (slice1winner5_best_index_1_0 mod 2);
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice2shift_search_0_1;
+        slice2shift_search_0_1 <= slice2shift_search_0_2;
+        slice2shift_search_0_2 <= slice2shift_search_0_3;
+        slice2shift_search_0_3 <= slice2shift_search_0_4;
+        slice2shift_search_0_4 <= slice2shift_search_0_5;
+        slice2shift_search_0_5 <= slice2shift_search_0_6;
+        slice2shift_search_0_6 <= slice2shift_search_0_7;
+        slice2shift_search_0_7 <= slice2shift_search_0_8;
+        slice2shift_search_0_8 <= slice2shift_search_0_9;
+        slice2shift_search_0_9 <= slice2shift_search_0_10;
+        slice2shift_search_0_10 <= slice2shift_search_0_11;
+        slice2shift_search_0_11 <= slice2shift_search_0_12;
+        slice2shift_search_0_12 <= slice2shift_search_0_13;
+        slice2shift_search_0_13 <= slice2shift_search_0_14;
+        slice2shift_search_0_14 <= slice2shift_search_0_15;
+        slice2shift_search_0_15 <= slice2shift_search_0_16;
+        slice2shift_search_0_16 <= slice2shift_search_0_17;
+        slice2shift_search_0_17 <= slice2shift_search_0_18;
+        slice2shift_search_0_18 <= slice2shift_search_0_19;
+        slice2shift_search_0_19 <= slice2shift_search_0_20;
+        slice2shift_search_0_20 <= slice2shift_search_0_21;
+        slice2shift_search_0_21 <= slice2shift_search_0_22;
+        slice2shift_search_0_22 <= slice2shift_search_0_23;
+        slice2shift_search_0_23 <= slice2shift_search_0_24;
+        slice2shift_search_0_24 <= slice1shift_search_out_0;
+        slice2shift_search_1_0 <= slice2shift_search_1_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_2;
+        slice2shift_search_1_2 <= slice2shift_search_1_3;
+        slice2shift_search_1_3 <= slice2shift_search_1_4;
+        slice2shift_search_1_4 <= slice2shift_search_1_5;
+        slice2shift_search_1_5 <= slice2shift_search_1_6;
+        slice2shift_search_1_6 <= slice2shift_search_1_7;
+        slice2shift_search_1_7 <= slice2shift_search_1_8;
+        slice2shift_search_1_8 <= slice2shift_search_1_9;
+        slice2shift_search_1_9 <= slice2shift_search_1_10;
+        slice2shift_search_1_10 <= slice2shift_search_1_11;
+        slice2shift_search_1_11 <= slice2shift_search_1_12;
+        slice2shift_search_1_12 <= slice2shift_search_1_13;
+        slice2shift_search_1_13 <= slice2shift_search_1_14;
+        slice2shift_search_1_14 <= slice2shift_search_1_15;
+        slice2shift_search_1_15 <= slice2shift_search_1_16;
+        slice2shift_search_1_16 <= slice2shift_search_1_17;
+        slice2shift_search_1_17 <= slice2shift_search_1_18;
+        slice2shift_search_1_18 <= slice2shift_search_1_19;
+        slice2shift_search_1_19 <= slice2shift_search_1_20;
+        slice2shift_search_1_20 <= slice2shift_search_1_21;
+        slice2shift_search_1_21 <= slice2shift_search_1_22;
+        slice2shift_search_1_22 <= slice2shift_search_1_23;
+        slice2shift_search_1_23 <= slice2shift_search_1_24;
+        slice2shift_search_1_24 <= slice1shift_search_out_1;
+        slice2shift_search_2_0 <= slice2shift_search_2_1;
+        slice2shift_search_2_1 <= slice2shift_search_2_2;
+        slice2shift_search_2_2 <= slice2shift_search_2_3;
+        slice2shift_search_2_3 <= slice2shift_search_2_4;
+        slice2shift_search_2_4 <= slice2shift_search_2_5;
+        slice2shift_search_2_5 <= slice2shift_search_2_6;
+        slice2shift_search_2_6 <= slice2shift_search_2_7;
+        slice2shift_search_2_7 <= slice2shift_search_2_8;
+        slice2shift_search_2_8 <= slice2shift_search_2_9;
+        slice2shift_search_2_9 <= slice2shift_search_2_10;
+        slice2shift_search_2_10 <= slice2shift_search_2_11;
+        slice2shift_search_2_11 <= slice2shift_search_2_12;
+        slice2shift_search_2_12 <= slice2shift_search_2_13;
+        slice2shift_search_2_13 <= slice2shift_search_2_14;
+        slice2shift_search_2_14 <= slice2shift_search_2_15;
+        slice2shift_search_2_15 <= slice2shift_search_2_16;
+        slice2shift_search_2_16 <= slice2shift_search_2_17;
+        slice2shift_search_2_17 <= slice2shift_search_2_18;
+        slice2shift_search_2_18 <= slice2shift_search_2_19;
+        slice2shift_search_2_19 <= slice2shift_search_2_20;
+        slice2shift_search_2_20 <= slice2shift_search_2_21;
+        slice2shift_search_2_21 <= slice2shift_search_2_22;
+        slice2shift_search_2_22 <= slice2shift_search_2_23;
+        slice2shift_search_2_23 <= slice2shift_search_2_24;
+        slice2shift_search_2_24 <= slice1shift_search_out_2;
+        slice2shift_search_3_0 <= slice2shift_search_3_1;
+        slice2shift_search_3_1 <= slice2shift_search_3_2;
+        slice2shift_search_3_2 <= slice2shift_search_3_3;
+        slice2shift_search_3_3 <= slice2shift_search_3_4;
+        slice2shift_search_3_4 <= slice2shift_search_3_5;
+        slice2shift_search_3_5 <= slice2shift_search_3_6;
+        slice2shift_search_3_6 <= slice2shift_search_3_7;
+        slice2shift_search_3_7 <= slice2shift_search_3_8;
+        slice2shift_search_3_8 <= slice2shift_search_3_9;
+        slice2shift_search_3_9 <= slice2shift_search_3_10;
+        slice2shift_search_3_10 <= slice2shift_search_3_11;
+        slice2shift_search_3_11 <= slice2shift_search_3_12;
+        slice2shift_search_3_12 <= slice2shift_search_3_13;
+        slice2shift_search_3_13 <= slice2shift_search_3_14;
+        slice2shift_search_3_14 <= slice2shift_search_3_15;
+        slice2shift_search_3_15 <= slice2shift_search_3_16;
+        slice2shift_search_3_16 <= slice2shift_search_3_17;
+        slice2shift_search_3_17 <= slice2shift_search_3_18;
+        slice2shift_search_3_18 <= slice2shift_search_3_19;
+        slice2shift_search_3_19 <= slice2shift_search_3_20;
+        slice2shift_search_3_20 <= slice2shift_search_3_21;
+        slice2shift_search_3_21 <= slice2shift_search_3_22;
+        slice2shift_search_3_22 <= slice2shift_search_3_23;
+        slice2shift_search_3_23 <= slice2shift_search_3_24;
+        slice2shift_search_3_24 <= slice1shift_search_out_3;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference_3 <= slice1shift_reference_3;
+      slice2shift_search_out_0 <= slice2shift_search_0_0;
+      slice2shift_search_out_1 <= slice2shift_search_1_0;
+      slice2shift_search_out_2 <= slice2shift_search_2_0;
+      slice2shift_search_out_3 <= slice2shift_search_3_0;
+      -- slice2cost
+      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
+        positive_part(slice2cost_difference_2_0);
+      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
+        positive_part(slice2cost_difference_2_1);
+      slice2cost_pair_0_2_choice := slice2cost_reverse_0_2 when slice2cost_difference_2_2 < 0 else
+        positive_part(slice2cost_difference_2_2);
+      slice2cost_pair_0_3_choice := slice2cost_reverse_0_3 when slice2cost_difference_2_3 < 0 else
+        positive_part(slice2cost_difference_2_3);
+      slice2cost_pair_0_4_choice := slice2cost_reverse_0_4 when slice2cost_difference_2_4 < 0 else
+        positive_part(slice2cost_difference_2_4);
+      slice2cost_pair_0_5_choice := slice2cost_reverse_0_5 when slice2cost_difference_2_5 < 0 else
+        positive_part(slice2cost_difference_2_5);
+      slice2cost_pair_0_6_choice := slice2cost_reverse_0_6 when slice2cost_difference_2_6 < 0 else
+        positive_part(slice2cost_difference_2_6);
+      slice2cost_pair_0_7_choice := slice2cost_reverse_0_7 when slice2cost_difference_2_7 < 0 else
+        positive_part(slice2cost_difference_2_7);
+      slice2cost_pair_0_8_choice := slice2cost_reverse_0_8 when slice2cost_difference_2_8 < 0 else
+        positive_part(slice2cost_difference_2_8);
+      slice2cost_pair_0_9_choice := slice2cost_reverse_0_9 when slice2cost_difference_2_9 < 0 else
+        positive_part(slice2cost_difference_2_9);
+      slice2cost_pair_0_10_choice := slice2cost_reverse_0_10 when slice2cost_difference_2_10 < 0 else
+        positive_part(slice2cost_difference_2_10);
+      slice2cost_pair_0_11_choice := slice2cost_reverse_0_11 when slice2cost_difference_2_11 < 0 else
+        positive_part(slice2cost_difference_2_11);
+      slice2cost_pair_0_12_choice := slice2cost_reverse_0_12 when slice2cost_difference_2_12 < 0 else
+        positive_part(slice2cost_difference_2_12);
+      slice2cost_pair_0_13_choice := slice2cost_reverse_0_13 when slice2cost_difference_2_13 < 0 else
+        positive_part(slice2cost_difference_2_13);
+      slice2cost_pair_0_14_choice := slice2cost_reverse_0_14 when slice2cost_difference_2_14 < 0 else
+        positive_part(slice2cost_difference_2_14);
+      slice2cost_pair_0_15_choice := slice2cost_reverse_0_15 when slice2cost_difference_2_15 < 0 else
+        positive_part(slice2cost_difference_2_15);
+      slice2cost_pair_0_16_choice := slice2cost_reverse_0_16 when slice2cost_difference_2_16 < 0 else
+        positive_part(slice2cost_difference_2_16);
+      slice2cost_pair_0_17_choice := slice2cost_reverse_0_17 when slice2cost_difference_2_17 < 0 else
+        positive_part(slice2cost_difference_2_17);
+      slice2cost_pair_0_18_choice := slice2cost_reverse_0_18 when slice2cost_difference_2_18 < 0 else
+        positive_part(slice2cost_difference_2_18);
+      slice2cost_pair_0_19_choice := slice2cost_reverse_0_19 when slice2cost_difference_2_19 < 0 else
+        positive_part(slice2cost_difference_2_19);
+      slice2cost_pair_0_20_choice := slice2cost_reverse_0_20 when slice2cost_difference_2_20 < 0 else
+        positive_part(slice2cost_difference_2_20);
+      slice2cost_pair_0_21_choice := slice2cost_reverse_0_21 when slice2cost_difference_2_21 < 0 else
+        positive_part(slice2cost_difference_2_21);
+      slice2cost_pair_0_22_choice := slice2cost_reverse_0_22 when slice2cost_difference_2_22 < 0 else
+        positive_part(slice2cost_difference_2_22);
+      slice2cost_pair_0_23_choice := slice2cost_reverse_0_23 when slice2cost_difference_2_23 < 0 else
+        positive_part(slice2cost_difference_2_23);
+      slice2cost_pair_0_24_choice := slice2cost_reverse_0_24 when slice2cost_difference_2_24 < 0 else
+        positive_part(slice2cost_difference_2_24);
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
+      slice2cost_difference_0_3 <= slice2shift_search_0_3 - slice2shift_reference_0;
+      slice2cost_difference_0_4 <= slice2shift_search_0_4 - slice2shift_reference_0;
+      slice2cost_difference_0_5 <= slice2shift_search_0_5 - slice2shift_reference_0;
+      slice2cost_difference_0_6 <= slice2shift_search_0_6 - slice2shift_reference_0;
+      slice2cost_difference_0_7 <= slice2shift_search_0_7 - slice2shift_reference_0;
+      slice2cost_difference_0_8 <= slice2shift_search_0_8 - slice2shift_reference_0;
+      slice2cost_difference_0_9 <= slice2shift_search_0_9 - slice2shift_reference_0;
+      slice2cost_difference_0_10 <= slice2shift_search_0_10 - slice2shift_reference_0;
+      slice2cost_difference_0_11 <= slice2shift_search_0_11 - slice2shift_reference_0;
+      slice2cost_difference_0_12 <= slice2shift_search_0_12 - slice2shift_reference_0;
+      slice2cost_difference_0_13 <= slice2shift_search_0_13 - slice2shift_reference_0;
+      slice2cost_difference_0_14 <= slice2shift_search_0_14 - slice2shift_reference_0;
+      slice2cost_difference_0_15 <= slice2shift_search_0_15 - slice2shift_reference_0;
+      slice2cost_difference_0_16 <= slice2shift_search_0_16 - slice2shift_reference_0;
+      slice2cost_difference_0_17 <= slice2shift_search_0_17 - slice2shift_reference_0;
+      slice2cost_difference_0_18 <= slice2shift_search_0_18 - slice2shift_reference_0;
+      slice2cost_difference_0_19 <= slice2shift_search_0_19 - slice2shift_reference_0;
+      slice2cost_difference_0_20 <= slice2shift_search_0_20 - slice2shift_reference_0;
+      slice2cost_difference_0_21 <= slice2shift_search_0_21 - slice2shift_reference_0;
+      slice2cost_difference_0_22 <= slice2shift_search_0_22 - slice2shift_reference_0;
+      slice2cost_difference_0_23 <= slice2shift_search_0_23 - slice2shift_reference_0;
+      slice2cost_difference_0_24 <= slice2shift_search_0_24 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_1_2 <= slice2shift_search_1_2 - slice2shift_reference_1;
+      slice2cost_difference_1_3 <= slice2shift_search_1_3 - slice2shift_reference_1;
+      slice2cost_difference_1_4 <= slice2shift_search_1_4 - slice2shift_reference_1;
+      slice2cost_difference_1_5 <= slice2shift_search_1_5 - slice2shift_reference_1;
+      slice2cost_difference_1_6 <= slice2shift_search_1_6 - slice2shift_reference_1;
+      slice2cost_difference_1_7 <= slice2shift_search_1_7 - slice2shift_reference_1;
+      slice2cost_difference_1_8 <= slice2shift_search_1_8 - slice2shift_reference_1;
+      slice2cost_difference_1_9 <= slice2shift_search_1_9 - slice2shift_reference_1;
+      slice2cost_difference_1_10 <= slice2shift_search_1_10 - slice2shift_reference_1;
+      slice2cost_difference_1_11 <= slice2shift_search_1_11 - slice2shift_reference_1;
+      slice2cost_difference_1_12 <= slice2shift_search_1_12 - slice2shift_reference_1;
+      slice2cost_difference_1_13 <= slice2shift_search_1_13 - slice2shift_reference_1;
+      slice2cost_difference_1_14 <= slice2shift_search_1_14 - slice2shift_reference_1;
+      slice2cost_difference_1_15 <= slice2shift_search_1_15 - slice2shift_reference_1;
+      slice2cost_difference_1_16 <= slice2shift_search_1_16 - slice2shift_reference_1;
+      slice2cost_difference_1_17 <= slice2shift_search_1_17 - slice2shift_reference_1;
+      slice2cost_difference_1_18 <= slice2shift_search_1_18 - slice2shift_reference_1;
+      slice2cost_difference_1_19 <= slice2shift_search_1_19 - slice2shift_reference_1;
+      slice2cost_difference_1_20 <= slice2shift_search_1_20 - slice2shift_reference_1;
+      slice2cost_difference_1_21 <= slice2shift_search_1_21 - slice2shift_reference_1;
+      slice2cost_difference_1_22 <= slice2shift_search_1_22 - slice2shift_reference_1;
+      slice2cost_difference_1_23 <= slice2shift_search_1_23 - slice2shift_reference_1;
+      slice2cost_difference_1_24 <= slice2shift_search_1_24 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_difference_2_2 <= slice2shift_search_2_2 - slice2shift_reference_2;
+      slice2cost_difference_2_3 <= slice2shift_search_2_3 - slice2shift_reference_2;
+      slice2cost_difference_2_4 <= slice2shift_search_2_4 - slice2shift_reference_2;
+      slice2cost_difference_2_5 <= slice2shift_search_2_5 - slice2shift_reference_2;
+      slice2cost_difference_2_6 <= slice2shift_search_2_6 - slice2shift_reference_2;
+      slice2cost_difference_2_7 <= slice2shift_search_2_7 - slice2shift_reference_2;
+      slice2cost_difference_2_8 <= slice2shift_search_2_8 - slice2shift_reference_2;
+      slice2cost_difference_2_9 <= slice2shift_search_2_9 - slice2shift_reference_2;
+      slice2cost_difference_2_10 <= slice2shift_search_2_10 - slice2shift_reference_2;
+      slice2cost_difference_2_11 <= slice2shift_search_2_11 - slice2shift_reference_2;
+      slice2cost_difference_2_12 <= slice2shift_search_2_12 - slice2shift_reference_2;
+      slice2cost_difference_2_13 <= slice2shift_search_2_13 - slice2shift_reference_2;
+      slice2cost_difference_2_14 <= slice2shift_search_2_14 - slice2shift_reference_2;
+      slice2cost_difference_2_15 <= slice2shift_search_2_15 - slice2shift_reference_2;
+      slice2cost_difference_2_16 <= slice2shift_search_2_16 - slice2shift_reference_2;
+      slice2cost_difference_2_17 <= slice2shift_search_2_17 - slice2shift_reference_2;
+      slice2cost_difference_2_18 <= slice2shift_search_2_18 - slice2shift_reference_2;
+      slice2cost_difference_2_19 <= slice2shift_search_2_19 - slice2shift_reference_2;
+      slice2cost_difference_2_20 <= slice2shift_search_2_20 - slice2shift_reference_2;
+      slice2cost_difference_2_21 <= slice2shift_search_2_21 - slice2shift_reference_2;
+      slice2cost_difference_2_22 <= slice2shift_search_2_22 - slice2shift_reference_2;
+      slice2cost_difference_2_23 <= slice2shift_search_2_23 - slice2shift_reference_2;
+      slice2cost_difference_2_24 <= slice2shift_search_2_24 - slice2shift_reference_2;
+      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_difference_3_2 <= slice2shift_search_3_2 - slice2shift_reference_3;
+      slice2cost_difference_3_3 <= slice2shift_search_3_3 - slice2shift_reference_3;
+      slice2cost_difference_3_4 <= slice2shift_search_3_4 - slice2shift_reference_3;
+      slice2cost_difference_3_5 <= slice2shift_search_3_5 - slice2shift_reference_3;
+      slice2cost_difference_3_6 <= slice2shift_search_3_6 - slice2shift_reference_3;
+      slice2cost_difference_3_7 <= slice2shift_search_3_7 - slice2shift_reference_3;
+      slice2cost_difference_3_8 <= slice2shift_search_3_8 - slice2shift_reference_3;
+      slice2cost_difference_3_9 <= slice2shift_search_3_9 - slice2shift_reference_3;
+      slice2cost_difference_3_10 <= slice2shift_search_3_10 - slice2shift_reference_3;
+      slice2cost_difference_3_11 <= slice2shift_search_3_11 - slice2shift_reference_3;
+      slice2cost_difference_3_12 <= slice2shift_search_3_12 - slice2shift_reference_3;
+      slice2cost_difference_3_13 <= slice2shift_search_3_13 - slice2shift_reference_3;
+      slice2cost_difference_3_14 <= slice2shift_search_3_14 - slice2shift_reference_3;
+      slice2cost_difference_3_15 <= slice2shift_search_3_15 - slice2shift_reference_3;
+      slice2cost_difference_3_16 <= slice2shift_search_3_16 - slice2shift_reference_3;
+      slice2cost_difference_3_17 <= slice2shift_search_3_17 - slice2shift_reference_3;
+      slice2cost_difference_3_18 <= slice2shift_search_3_18 - slice2shift_reference_3;
+      slice2cost_difference_3_19 <= slice2shift_search_3_19 - slice2shift_reference_3;
+      slice2cost_difference_3_20 <= slice2shift_search_3_20 - slice2shift_reference_3;
+      slice2cost_difference_3_21 <= slice2shift_search_3_21 - slice2shift_reference_3;
+      slice2cost_difference_3_22 <= slice2shift_search_3_22 - slice2shift_reference_3;
+      slice2cost_difference_3_23 <= slice2shift_search_3_23 - slice2shift_reference_3;
+      slice2cost_difference_3_24 <= slice2shift_search_3_24 - slice2shift_reference_3;
+      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
+      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
+      slice2cost_reverse_0_2 <= (slice2shift_reference_2 - slice2shift_search_2_2) mod 256;
+      slice2cost_reverse_0_3 <= (slice2shift_reference_2 - slice2shift_search_2_3) mod 256;
+      slice2cost_reverse_0_4 <= (slice2shift_reference_2 - slice2shift_search_2_4) mod 256;
+      slice2cost_reverse_0_5 <= (slice2shift_reference_2 - slice2shift_search_2_5) mod 256;
+      slice2cost_reverse_0_6 <= (slice2shift_reference_2 - slice2shift_search_2_6) mod 256;
+      slice2cost_reverse_0_7 <= (slice2shift_reference_2 - slice2shift_search_2_7) mod 256;
+      slice2cost_reverse_0_8 <= (slice2shift_reference_2 - slice2shift_search_2_8) mod 256;
+      slice2cost_reverse_0_9 <= (slice2shift_reference_2 - slice2shift_search_2_9) mod 256;
+      slice2cost_reverse_0_10 <= (slice2shift_reference_2 - slice2shift_search_2_10) mod 256;
+      slice2cost_reverse_0_11 <= (slice2shift_reference_2 - slice2shift_search_2_11) mod 256;
+      slice2cost_reverse_0_12 <= (slice2shift_reference_2 - slice2shift_search_2_12) mod 256;
+      slice2cost_reverse_0_13 <= (slice2shift_reference_2 - slice2shift_search_2_13) mod 256;
+      slice2cost_reverse_0_14 <= (slice2shift_reference_2 - slice2shift_search_2_14) mod 256;
+      slice2cost_reverse_0_15 <= (slice2shift_reference_2 - slice2shift_search_2_15) mod 256;
+      slice2cost_reverse_0_16 <= (slice2shift_reference_2 - slice2shift_search_2_16) mod 256;
+      slice2cost_reverse_0_17 <= (slice2shift_reference_2 - slice2shift_search_2_17) mod 256;
+      slice2cost_reverse_0_18 <= (slice2shift_reference_2 - slice2shift_search_2_18) mod 256;
+      slice2cost_reverse_0_19 <= (slice2shift_reference_2 - slice2shift_search_2_19) mod 256;
+      slice2cost_reverse_0_20 <= (slice2shift_reference_2 - slice2shift_search_2_20) mod 256;
+      slice2cost_reverse_0_21 <= (slice2shift_reference_2 - slice2shift_search_2_21) mod 256;
+      slice2cost_reverse_0_22 <= (slice2shift_reference_2 - slice2shift_search_2_22) mod 256;
+      slice2cost_reverse_0_23 <= (slice2shift_reference_2 - slice2shift_search_2_23) mod 256;
+      slice2cost_reverse_0_24 <= (slice2shift_reference_2 - slice2shift_search_2_24) mod 256;
+      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
+        as_number((slice2cost_difference_1_0 < 0));
+      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
+        as_number((slice2cost_difference_1_1 < 0));
+      slice2cost_pair_0_2 <= slice2cost_pair_0_2_choice + folded(slice2cost_difference_1_2) +
+        as_number((slice2cost_difference_1_2 < 0));
+      slice2cost_pair_0_3 <= slice2cost_pair_0_3_choice + folded(slice2cost_difference_1_3) +
+        as_number((slice2cost_difference_1_3 < 0));
+      slice2cost_pair_0_4 <= slice2cost_pair_0_4_choice + folded(slice2cost_difference_1_4) +
+        as_number((slice2cost_difference_1_4 < 0));
+      slice2cost_pair_0_5 <= slice2cost_pair_0_5_choice + folded(slice2cost_difference_1_5) +
+        as_number((slice2cost_difference_1_5 < 0));
+      slice2cost_pair_0_6 <= slice2cost_pair_0_6_choice + folded(slice2cost_difference_1_6) +
+        as_number((slice2cost_difference_1_6 < 0));
+      slice2cost_pair_0_7 <= slice2cost_pair_0_7_choice + folded(slice2cost_difference_1_7) +
+        as_number((slice2cost_difference_1_7 < 0));
+      slice2cost_pair_0_8 <= slice2cost_pair_0_8_choice + folded(slice2cost_difference_1_8) +
+        as_number((slice2cost_difference_1_8 < 0));
+      slice2cost_pair_0_9 <= slice2cost_pair_0_9_choice + folded(slice2cost_difference_1_9) +
+        as_number((slice2cost_difference_1_9 < 0));
+      slice2cost_pair_0_10 <= slice2cost_pair_0_10_choice + folded(slice2cost_difference_1_10) +
+        as_number((slice2cost_difference_1_10 < 0));
+      slice2cost_pair_0_11 <= slice2cost_pair_0_11_choice + folded(slice2cost_difference_1_11) +
+        as_number((slice2cost_difference_1_11 < 0));
+      slice2cost_pair_0_12 <= slice2cost_pair_0_12_choice + folded(slice2cost_difference_1_12) +
+        as_number((slice2cost_difference_1_12 < 0));
+      slice2cost_pair_0_13 <= slice2cost_pair_0_13_choice + folded(slice2cost_difference_1_13) +
+        as_number((slice2cost_difference_1_13 < 0));
+      slice2cost_pair_0_14 <= slice2cost_pair_0_14_choice + folded(slice2cost_difference_1_14) +
+        as_number((slice2cost_difference_1_14 < 0));
+      slice2cost_pair_0_15 <= slice2cost_pair_0_15_choice + folded(slice2cost_difference_1_15) +
+        as_number((slice2cost_difference_1_15 < 0));
+      slice2cost_pair_0_16 <= slice2cost_pair_0_16_choice + folded(slice2cost_difference_1_16) +
+        as_number((slice2cost_difference_1_16 < 0));
+      slice2cost_pair_0_17 <= slice2cost_pair_0_17_choice + folded(slice2cost_difference_1_17) +
+        as_number((slice2cost_difference_1_17 < 0));
+      slice2cost_pair_0_18 <= slice2cost_pair_0_18_choice + folded(slice2cost_difference_1_18) +
+        as_number((slice2cost_difference_1_18 < 0));
+      slice2cost_pair_0_19 <= slice2cost_pair_0_19_choice + folded(slice2cost_difference_1_19) +
+        as_number((slice2cost_difference_1_19 < 0));
+      slice2cost_pair_0_20 <= slice2cost_pair_0_20_choice + folded(slice2cost_difference_1_20) +
+        as_number((slice2cost_difference_1_20 < 0));
+      slice2cost_pair_0_21 <= slice2cost_pair_0_21_choice + folded(slice2cost_difference_1_21) +
+        as_number((slice2cost_difference_1_21 < 0));
+      slice2cost_pair_0_22 <= slice2cost_pair_0_22_choice + folded(slice2cost_difference_1_22) +
+        as_number((slice2cost_difference_1_22 < 0));
+      slice2cost_pair_0_23 <= slice2cost_pair_0_23_choice + folded(slice2cost_difference_1_23) +
+        as_number((slice2cost_difference_1_23 < 0));
+      slice2cost_pair_0_24 <= slice2cost_pair_0_24_choice + folded(slice2cost_difference_1_24) +
+        as_number((slice2cost_difference_1_24 < 0));
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
+      slice2cost_single_0_2 <= folded(slice2cost_difference_0_2);
+      slice2cost_single_0_3 <= folded(slice2cost_difference_0_3);
+      slice2cost_single_0_4 <= folded(slice2cost_difference_0_4);
+      slice2cost_single_0_5 <= folded(slice2cost_difference_0_5);
+      slice2cost_single_0_6 <= folded(slice2cost_difference_0_6);
+      slice2cost_single_0_7 <= folded(slice2cost_difference_0_7);
+      slice2cost_single_0_8 <= folded(slice2cost_difference_0_8);
+      slice2cost_single_0_9 <= folded(slice2cost_difference_0_9);
+      slice2cost_single_0_10 <= folded(slice2cost_difference_0_10);
+      slice2cost_single_0_11 <= folded(slice2cost_difference_0_11);
+      slice2cost_single_0_12 <= folded(slice2cost_difference_0_12);
+      slice2cost_single_0_13 <= folded(slice2cost_difference_0_13);
+      slice2cost_single_0_14 <= folded(slice2cost_difference_0_14);
+      slice2cost_single_0_15 <= folded(slice2cost_difference_0_15);
+      slice2cost_single_0_16 <= folded(slice2cost_difference_0_16);
+      slice2cost_single_0_17 <= folded(slice2cost_difference_0_17);
+      slice2cost_single_0_18 <= folded(slice2cost_difference_0_18);
+      slice2cost_single_0_19 <= folded(slice2cost_difference_0_19);
+      slice2cost_single_0_20 <= folded(slice2cost_difference_0_20);
+      slice2cost_single_0_21 <= folded(slice2cost_difference_0_21);
+      slice2cost_single_0_22 <= folded(slice2cost_difference_0_22);
+      slice2cost_single_0_23 <= folded(slice2cost_difference_0_23);
+      slice2cost_single_0_24 <= folded(slice2cost_difference_0_24);
+      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
+      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
+      slice2cost_single_3_2 <= folded(slice2cost_difference_3_2);
+      slice2cost_single_3_3 <= folded(slice2cost_difference_3_3);
+      slice2cost_single_3_4 <= folded(slice2cost_difference_3_4);
+      slice2cost_single_3_5 <= folded(slice2cost_difference_3_5);
+      slice2cost_single_3_6 <= folded(slice2cost_difference_3_6);
+      slice2cost_single_3_7 <= folded(slice2cost_difference_3_7);
+      slice2cost_single_3_8 <= folded(slice2cost_difference_3_8);
+      slice2cost_single_3_9 <= folded(slice2cost_difference_3_9);
+      slice2cost_single_3_10 <= folded(slice2cost_difference_3_10);
+      slice2cost_single_3_11 <= folded(slice2cost_difference_3_11);
+      slice2cost_single_3_12 <= folded(slice2cost_difference_3_12);
+      slice2cost_single_3_13 <= folded(slice2cost_difference_3_13);
+      slice2cost_single_3_14 <= folded(slice2cost_difference_3_14);
+      slice2cost_single_3_15 <= folded(slice2cost_difference_3_15);
+      slice2cost_single_3_16 <= folded(slice2cost_difference_3_16);
+      slice2cost_single_3_17 <= folded(slice2cost_difference_3_17);
+      slice2cost_single_3_18 <= folded(slice2cost_difference_3_18);
+      slice2cost_single_3_19 <= folded(slice2cost_difference_3_19);
+      slice2cost_single_3_20 <= folded(slice2cost_difference_3_20);
+      slice2cost_single_3_21 <= folded(slice2cost_difference_3_21);
+      slice2cost_single_3_22 <= folded(slice2cost_difference_3_22);
+      slice2cost_single_3_23 <= folded(slice2cost_difference_3_23);
+      slice2cost_single_3_24 <= folded(slice2cost_difference_3_24);
+      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_negative_0_2 <= slice2cost_difference_0_2 < 0;
+      slice2cost_negative_0_3 <= slice2cost_difference_0_3 < 0;
+      slice2cost_negative_0_4 <= slice2cost_difference_0_4 < 0;
+      slice2cost_negative_0_5 <= slice2cost_difference_0_5 < 0;
+      slice2cost_negative_0_6 <= slice2cost_difference_0_6 < 0;
+      slice2cost_negative_0_7 <= slice2cost_difference_0_7 < 0;
+      slice2cost_negative_0_8 <= slice2cost_difference_0_8 < 0;
+      slice2cost_negative_0_9 <= slice2cost_difference_0_9 < 0;
+      slice2cost_negative_0_10 <= slice2cost_difference_0_10 < 0;
+      slice2cost_negative_0_11 <= slice2cost_difference_0_11 < 0;
+      slice2cost_negative_0_12 <= slice2cost_difference_0_12 < 0;
+      slice2cost_negative_0_13 <= slice2cost_difference_0_13 < 0;
+      slice2cost_negative_0_14 <= slice2cost_difference_0_14 < 0;
+      slice2cost_negative_0_15 <= slice2cost_difference_0_15 < 0;
+      slice2cost_negative_0_16 <= slice2cost_difference_0_16 < 0;
+      slice2cost_negative_0_17 <= slice2cost_difference_0_17 < 0;
+      slice2cost_negative_0_18 <= slice2cost_difference_0_18 < 0;
+      slice2cost_negative_0_19 <= slice2cost_difference_0_19 < 0;
+      slice2cost_negative_0_20 <= slice2cost_difference_0_20 < 0;
+      slice2cost_negative_0_21 <= slice2cost_difference_0_21 < 0;
+      slice2cost_negative_0_22 <= slice2cost_difference_0_22 < 0;
+      slice2cost_negative_0_23 <= slice2cost_difference_0_23 < 0;
+      slice2cost_negative_0_24 <= slice2cost_difference_0_24 < 0;
+      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
+      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
+      slice2cost_negative_3_2 <= slice2cost_difference_3_2 < 0;
+      slice2cost_negative_3_3 <= slice2cost_difference_3_3 < 0;
+      slice2cost_negative_3_4 <= slice2cost_difference_3_4 < 0;
+      slice2cost_negative_3_5 <= slice2cost_difference_3_5 < 0;
+      slice2cost_negative_3_6 <= slice2cost_difference_3_6 < 0;
+      slice2cost_negative_3_7 <= slice2cost_difference_3_7 < 0;
+      slice2cost_negative_3_8 <= slice2cost_difference_3_8 < 0;
+      slice2cost_negative_3_9 <= slice2cost_difference_3_9 < 0;
+      slice2cost_negative_3_10 <= slice2cost_difference_3_10 < 0;
+      slice2cost_negative_3_11 <= slice2cost_difference_3_11 < 0;
+      slice2cost_negative_3_12 <= slice2cost_difference_3_12 < 0;
+      slice2cost_negative_3_13 <= slice2cost_difference_3_13 < 0;
+      slice2cost_negative_3_14 <= slice2cost_difference_3_14 < 0;
+      slice2cost_negative_3_15 <= slice2cost_difference_3_15 < 0;
+      slice2cost_negative_3_16 <= slice2cost_difference_3_16 < 0;
+      slice2cost_negative_3_17 <= slice2cost_difference_3_17 < 0;
+      slice2cost_negative_3_18 <= slice2cost_difference_3_18 < 0;
+      slice2cost_negative_3_19 <= slice2cost_difference_3_19 < 0;
+      slice2cost_negative_3_20 <= slice2cost_difference_3_20 < 0;
+      slice2cost_negative_3_21 <= slice2cost_difference_3_21 < 0;
+      slice2cost_negative_3_22 <= slice2cost_difference_3_22 < 0;
+      slice2cost_negative_3_23 <= slice2cost_difference_3_23 < 0;
+      slice2cost_negative_3_24 <= slice2cost_difference_3_24 < 0;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
+        slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
+        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_2) +
+        slice2cost_pair_0_2 + slice2cost_single_0_2;
+      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_3) +
+        slice2cost_pair_0_3 + slice2cost_single_0_3;
+      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_4) +
+        slice2cost_pair_0_4 + slice2cost_single_0_4;
+      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_5) +
+        slice2cost_pair_0_5 + slice2cost_single_0_5;
+      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_6) +
+        slice2cost_pair_0_6 + slice2cost_single_0_6;
+      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_7) +
+        slice2cost_pair_0_7 + slice2cost_single_0_7;
+      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_8) +
+        slice2cost_pair_0_8 + slice2cost_single_0_8;
+      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_9) +
+        slice2cost_pair_0_9 + slice2cost_single_0_9;
+      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_10) +
+        slice2cost_pair_0_10 + slice2cost_single_0_10;
+      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_11) +
+        slice2cost_pair_0_11 + slice2cost_single_0_11;
+      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_12) +
+        slice2cost_pair_0_12 + slice2cost_single_0_12;
+      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_13) +
+        slice2cost_pair_0_13 + slice2cost_single_0_13;
+      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_14) +
+        slice2cost_pair_0_14 + slice2cost_single_0_14;
+      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_15) +
+        slice2cost_pair_0_15 + slice2cost_single_0_15;
+      slice2cost_column_0_16 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_16) +
+        slice2cost_pair_0_16 + slice2cost_single_0_16;
+      slice2cost_column_0_17 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_17) +
+        slice2cost_pair_0_17 + slice2cost_single_0_17;
+      slice2cost_column_0_18 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_18) +
+        slice2cost_pair_0_18 + slice2cost_single_0_18;
+      slice2cost_column_0_19 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_19) +
+        slice2cost_pair_0_19 + slice2cost_single_0_19;
+      slice2cost_column_0_20 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_20) +
+        slice2cost_pair_0_20 + slice2cost_single_0_20;
+      slice2cost_column_0_21 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_21) +
+        slice2cost_pair_0_21 + slice2cost_single_0_21;
+      slice2cost_column_0_22 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_22) +
+        slice2cost_pair_0_22 + slice2cost_single_0_22;
+      slice2cost_column_0_23 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_23) +
+        slice2cost_pair_0_23 + slice2cost_single_0_23;
+      slice2cost_column_0_24 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_24) +
+        slice2cost_pair_0_24 + slice2cost_single_0_24;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
+        slice2cost_pair_0_0 + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
+        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      slice2cost_column_1_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_2) +
+        slice2cost_pair_0_2 + slice2cost_single_3_2;
+      slice2cost_column_1_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_3) +
+        slice2cost_pair_0_3 + slice2cost_single_3_3;
+      slice2cost_column_1_4 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_4) +
+        slice2cost_pair_0_4 + slice2cost_single_3_4;
+      slice2cost_column_1_5 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_5) +
+        slice2cost_pair_0_5 + slice2cost_single_3_5;
+      slice2cost_column_1_6 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_6) +
+        slice2cost_pair_0_6 + slice2cost_single_3_6;
+      slice2cost_column_1_7 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_7) +
+        slice2cost_pair_0_7 + slice2cost_single_3_7;
+      slice2cost_column_1_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_8) +
+        slice2cost_pair_0_8 + slice2cost_single_3_8;
+      slice2cost_column_1_9 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_9) +
+        slice2cost_pair_0_9 + slice2cost_single_3_9;
+      slice2cost_column_1_10 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_10) +
+        slice2cost_pair_0_10 + slice2cost_single_3_10;
+      slice2cost_column_1_11 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_11) +
+        slice2cost_pair_0_11 + slice2cost_single_3_11;
+      slice2cost_column_1_12 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_12) +
+        slice2cost_pair_0_12 + slice2cost_single_3_12;
+      slice2cost_column_1_13 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_13) +
+        slice2cost_pair_0_13 + slice2cost_single_3_13;
+      slice2cost_column_1_14 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_14) +
+        slice2cost_pair_0_14 + slice2cost_single_3_14;
+      slice2cost_column_1_15 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_15) +
+        slice2cost_pair_0_15 + slice2cost_single_3_15;
+      slice2cost_column_1_16 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_16) +
+        slice2cost_pair_0_16 + slice2cost_single_3_16;
+      slice2cost_column_1_17 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_17) +
+        slice2cost_pair_0_17 + slice2cost_single_3_17;
+      slice2cost_column_1_18 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_18) +
+        slice2cost_pair_0_18 + slice2cost_single_3_18;
+      slice2cost_column_1_19 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_19) +
+        slice2cost_pair_0_19 + slice2cost_single_3_19;
+      slice2cost_column_1_20 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_20) +
+        slice2cost_pair_0_20 + slice2cost_single_3_20;
+      slice2cost_column_1_21 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_21) +
+        slice2cost_pair_0_21 + slice2cost_single_3_21;
+      slice2cost_column_1_22 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_22) +
+        slice2cost_pair_0_22 + slice2cost_single_3_22;
+      slice2cost_column_1_23 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_23) +
+        slice2cost_pair_0_23 + slice2cost_single_3_23;
+      slice2cost_column_1_24 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_24) +
+        slice2cost_pair_0_24 + slice2cost_single_3_24;
+      slice2cost_tag_border_column <= slice1cost_tag_border_column;
+      -- slice2window
+      if slice0winner1_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_0_2 <= slice2cost_column_0_2;
+        slice2window_partial_0_0_3 <= slice2cost_column_0_3;
+        slice2window_partial_0_0_4 <= slice2cost_column_0_4;
+        slice2window_partial_0_0_5 <= slice2cost_column_0_5;
+        slice2window_partial_0_0_6 <= slice2cost_column_0_6;
+        slice2window_partial_0_0_7 <= slice2cost_column_0_7;
+        slice2window_partial_0_0_8 <= slice2cost_column_0_8;
+        slice2window_partial_0_0_9 <= slice2cost_column_0_9;
+        slice2window_partial_0_0_10 <= slice2cost_column_0_10;
+        slice2window_partial_0_0_11 <= slice2cost_column_0_11;
+        slice2window_partial_0_0_12 <= slice2cost_column_0_12;
+        slice2window_partial_0_0_13 <= slice2cost_column_0_13;
+        slice2window_partial_0_0_14 <= slice2cost_column_0_14;
+        slice2window_partial_0_0_15 <= slice2cost_column_0_15;
+        slice2window_partial_0_0_16 <= slice2cost_column_0_16;
+        slice2window_partial_0_0_17 <= slice2cost_column_0_17;
+        slice2window_partial_0_0_18 <= slice2cost_column_0_18;
+        slice2window_partial_0_0_19 <= slice2cost_column_0_19;
+        slice2window_partial_0_0_20 <= slice2cost_column_0_20;
+        slice2window_partial_0_0_21 <= slice2cost_column_0_21;
+        slice2window_partial_0_0_22 <= slice2cost_column_0_22;
+        slice2window_partial_0_0_23 <= slice2cost_column_0_23;
+        slice2window_partial_0_0_24 <= slice2cost_column_0_24;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_0_1_2 <= slice2cost_column_0_2 + slice2window_partial_0_0_2;
+        slice2window_partial_0_1_3 <= slice2cost_column_0_3 + slice2window_partial_0_0_3;
+        slice2window_partial_0_1_4 <= slice2cost_column_0_4 + slice2window_partial_0_0_4;
+        slice2window_partial_0_1_5 <= slice2cost_column_0_5 + slice2window_partial_0_0_5;
+        slice2window_partial_0_1_6 <= slice2cost_column_0_6 + slice2window_partial_0_0_6;
+        slice2window_partial_0_1_7 <= slice2cost_column_0_7 + slice2window_partial_0_0_7;
+        slice2window_partial_0_1_8 <= slice2cost_column_0_8 + slice2window_partial_0_0_8;
+        slice2window_partial_0_1_9 <= slice2cost_column_0_9 + slice2window_partial_0_0_9;
+        slice2window_partial_0_1_10 <= slice2cost_column_0_10 + slice2window_partial_0_0_10;
+        slice2window_partial_0_1_11 <= slice2cost_column_0_11 + slice2window_partial_0_0_11;
+        slice2window_partial_0_1_12 <= slice2cost_column_0_12 + slice2window_partial_0_0_12;
+        slice2window_partial_0_1_13 <= slice2cost_column_0_13 + slice2window_partial_0_0_13;
+        slice2window_partial_0_1_14 <= slice2cost_column_0_14 + slice2window_partial_0_0_14;
+        slice2window_partial_0_1_15 <= slice2cost_column_0_15 + slice2window_partial_0_0_15;
+        slice2window_partial_0_1_16 <= slice2cost_column_0_16 + slice2window_partial_0_0_16;
+        slice2window_partial_0_1_17 <= slice2cost_column_0_17 + slice2window_partial_0_0_17;
+        slice2window_partial_0_1_18 <= slice2cost_column_0_18 + slice2window_partial_0_0_18;
+        slice2window_partial_0_1_19 <= slice2cost_column_0_19 + slice2window_partial_0_0_19;
+        slice2window_partial_0_1_20 <= slice2cost_column_0_20 + slice2window_partial_0_0_20;
+        slice2window_partial_0_1_21 <= slice2cost_column_0_21 + slice2window_partial_0_0_21;
+        slice2window_partial_0_1_22 <= slice2cost_column_0_22 + slice2window_partial_0_0_22;
+        slice2window_partial_0_1_23 <= slice2cost_column_0_23 + slice2window_partial_0_0_23;
+        slice2window_partial_0_1_24 <= slice2cost_column_0_24 + slice2window_partial_0_0_24;
+        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
+        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
+        slice2window_partial_1_0_2 <= slice2cost_column_1_2;
+        slice2window_partial_1_0_3 <= slice2cost_column_1_3;
+        slice2window_partial_1_0_4 <= slice2cost_column_1_4;
+        slice2window_partial_1_0_5 <= slice2cost_column_1_5;
+        slice2window_partial_1_0_6 <= slice2cost_column_1_6;
+        slice2window_partial_1_0_7 <= slice2cost_column_1_7;
+        slice2window_partial_1_0_8 <= slice2cost_column_1_8;
+        slice2window_partial_1_0_9 <= slice2cost_column_1_9;
+        slice2window_partial_1_0_10 <= slice2cost_column_1_10;
+        slice2window_partial_1_0_11 <= slice2cost_column_1_11;
+        slice2window_partial_1_0_12 <= slice2cost_column_1_12;
+        slice2window_partial_1_0_13 <= slice2cost_column_1_13;
+        slice2window_partial_1_0_14 <= slice2cost_column_1_14;
+        slice2window_partial_1_0_15 <= slice2cost_column_1_15;
+        slice2window_partial_1_0_16 <= slice2cost_column_1_16;
+        slice2window_partial_1_0_17 <= slice2cost_column_1_17;
+        slice2window_partial_1_0_18 <= slice2cost_column_1_18;
+        slice2window_partial_1_0_19 <= slice2cost_column_1_19;
+        slice2window_partial_1_0_20 <= slice2cost_column_1_20;
+        slice2window_partial_1_0_21 <= slice2cost_column_1_21;
+        slice2window_partial_1_0_22 <= slice2cost_column_1_22;
+        slice2window_partial_1_0_23 <= slice2cost_column_1_23;
+        slice2window_partial_1_0_24 <= slice2cost_column_1_24;
+        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
+        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
+        slice2window_partial_1_1_2 <= slice2cost_column_1_2 + slice2window_partial_1_0_2;
+        slice2window_partial_1_1_3 <= slice2cost_column_1_3 + slice2window_partial_1_0_3;
+        slice2window_partial_1_1_4 <= slice2cost_column_1_4 + slice2window_partial_1_0_4;
+        slice2window_partial_1_1_5 <= slice2cost_column_1_5 + slice2window_partial_1_0_5;
+        slice2window_partial_1_1_6 <= slice2cost_column_1_6 + slice2window_partial_1_0_6;
+        slice2window_partial_1_1_7 <= slice2cost_column_1_7 + slice2window_partial_1_0_7;
+        slice2window_partial_1_1_8 <= slice2cost_column_1_8 + slice2window_partial_1_0_8;
+        slice2window_partial_1_1_9 <= slice2cost_column_1_9 + slice2window_partial_1_0_9;
+        slice2window_partial_1_1_10 <= slice2cost_column_1_10 + slice2window_partial_1_0_10;
+        slice2window_partial_1_1_11 <= slice2cost_column_1_11 + slice2window_partial_1_0_11;
+        slice2window_partial_1_1_12 <= slice2cost_column_1_12 + slice2window_partial_1_0_12;
+        slice2window_partial_1_1_13 <= slice2cost_column_1_13 + slice2window_partial_1_0_13;
+        slice2window_partial_1_1_14 <= slice2cost_column_1_14 + slice2window_partial_1_0_14;
+        slice2window_partial_1_1_15 <= slice2cost_column_1_15 + slice2window_partial_1_0_15;
+        slice2window_partial_1_1_16 <= slice2cost_column_1_16 + slice2window_partial_1_0_16;
+        slice2window_partial_1_1_17 <= slice2cost_column_1_17 + slice2window_partial_1_0_17;
+        slice2window_partial_1_1_18 <= slice2cost_column_1_18 + slice2window_partial_1_0_18;
+        slice2window_partial_1_1_19 <= slice2cost_column_1_19 + slice2window_partial_1_0_19;
+        slice2window_partial_1_1_20 <= slice2cost_column_1_20 + slice2window_partial_1_0_20;
+        slice2window_partial_1_1_21 <= slice2cost_column_1_21 + slice2window_partial_1_0_21;
+        slice2window_partial_1_1_22 <= slice2cost_column_1_22 + slice2window_partial_1_0_22;
+        slice2window_partial_1_1_23 <= slice2cost_column_1_23 + slice2window_partial_1_0_23;
+        slice2window_partial_1_1_24 <= slice2cost_column_1_24 + slice2window_partial_1_0_24;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_0_2 <= slice2cost_column_0_2 + slice2window_partial_0_1_2;
+      slice2window_sum_0_3 <= slice2cost_column_0_3 + slice2window_partial_0_1_3;
+      slice2window_sum_0_4 <= slice2cost_column_0_4 + slice2window_partial_0_1_4;
+      slice2window_sum_0_5 <= slice2cost_column_0_5 + slice2window_partial_0_1_5;
+      slice2window_sum_0_6 <= slice2cost_column_0_6 + slice2window_partial_0_1_6;
+      slice2window_sum_0_7 <= slice2cost_column_0_7 + slice2window_partial_0_1_7;
+      slice2window_sum_0_8 <= slice2cost_column_0_8 + slice2window_partial_0_1_8;
+      slice2window_sum_0_9 <= slice2cost_column_0_9 + slice2window_partial_0_1_9;
+      slice2window_sum_0_10 <= slice2cost_column_0_10 + slice2window_partial_0_1_10;
+      slice2window_sum_0_11 <= slice2cost_column_0_11 + slice2window_partial_0_1_11;
+      slice2window_sum_0_12 <= slice2cost_column_0_12 + slice2window_partial_0_1_12;
+      slice2window_sum_0_13 <= slice2cost_column_0_13 + slice2window_partial_0_1_13;
+      slice2window_sum_0_14 <= slice2cost_column_0_14 + slice2window_partial_0_1_14;
+      slice2window_sum_0_15 <= slice2cost_column_0_15 + slice2window_partial_0_1_15;
+      slice2window_sum_0_16 <= slice2cost_column_0_16 + slice2window_partial_0_1_16;
+      slice2window_sum_0_17 <= slice2cost_column_0_17 + slice2window_partial_0_1_17;
+      slice2window_sum_0_18 <= slice2cost_column_0_18 + slice2window_partial_0_1_18;
+      slice2window_sum_0_19 <= slice2cost_column_0_19 + slice2window_partial_0_1_19;
+      slice2window_sum_0_20 <= slice2cost_column_0_20 + slice2window_partial_0_1_20;
+      slice2window_sum_0_21 <= slice2cost_column_0_21 + slice2window_partial_0_1_21;
+      slice2window_sum_0_22 <= slice2cost_column_0_22 + slice2window_partial_0_1_22;
+      slice2window_sum_0_23 <= slice2cost_column_0_23 + slice2window_partial_0_1_23;
+      slice2window_sum_0_24 <= slice2cost_column_0_24 + slice2window_partial_0_1_24;
+      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
+      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
+      slice2window_sum_1_2 <= slice2cost_column_1_2 + slice2window_partial_1_1_2;
+      slice2window_sum_1_3 <= slice2cost_column_1_3 + slice2window_partial_1_1_3;
+      slice2window_sum_1_4 <= slice2cost_column_1_4 + slice2window_partial_1_1_4;
+      slice2window_sum_1_5 <= slice2cost_column_1_5 + slice2window_partial_1_1_5;
+      slice2window_sum_1_6 <= slice2cost_column_1_6 + slice2window_partial_1_1_6;
+      slice2window_sum_1_7 <= slice2cost_column_1_7 + slice2window_partial_1_1_7;
+      slice2window_sum_1_8 <= slice2cost_column_1_8 + slice2window_partial_1_1_8;
+      slice2window_sum_1_9 <= slice2cost_column_1_9 + slice2window_partial_1_1_9;
+      slice2window_sum_1_10 <= slice2cost_column_1_10 + slice2window_partial_1_1_10;
+      slice2window_sum_1_11 <= slice2cost_column_1_11 + slice2window_partial_1_1_11;
+      slice2window_sum_1_12 <= slice2cost_column_1_12 + slice2window_partial_1_1_12;
+      slice2window_sum_1_13 <= slice2cost_column_1_13 + slice2window_partial_1_1_13;
+      slice2window_sum_1_14 <= slice2cost_column_1_14 + slice2window_partial_1_1_14;
+      slice2window_sum_1_15 <= slice2cost_column_1_15 + slice2window_partial_1_1_15;
+      slice2window_sum_1_16 <= slice2cost_column_1_16 + slice2window_partial_1_1_16;
+      slice2window_sum_1_17 <= slice2cost_column_1_17 + slice2window_partial_1_1_17;
+      slice2window_sum_1_18 <= slice2cost_column_1_18 + slice2window_partial_1_1_18;
+      slice2window_sum_1_19 <= slice2cost_column_1_19 + slice2window_partial_1_1_19;
+      slice2window_sum_1_20 <= slice2cost_column_1_20 + slice2window_partial_1_1_20;
+      slice2window_sum_1_21 <= slice2cost_column_1_21 + slice2window_partial_1_1_21;
+      slice2window_sum_1_22 <= slice2cost_column_1_22 + slice2window_partial_1_1_22;
+      slice2window_sum_1_23 <= slice2cost_column_1_23 + slice2window_partial_1_1_23;
+      slice2window_sum_1_24 <= slice2cost_column_1_24 + slice2window_partial_1_1_24;
+      -- slice2winner1
+      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1_is_less := slice2window_sum_0_3 < slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2_is_less := slice2window_sum_0_5 < slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3_is_less := slice2window_sum_0_7 < slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4_is_less := slice2window_sum_0_9 < slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5_is_less := slice2window_sum_0_11 < slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6_is_less := slice2window_sum_0_13 < slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7_is_less := slice2window_sum_0_15 < slice2window_sum_0_14;
+      slice2winner1_best_cost_0_8_is_less := slice2window_sum_0_17 < slice2window_sum_0_16;
+      slice2winner1_best_cost_0_9_is_less := slice2window_sum_0_19 < slice2window_sum_0_18;
+      slice2winner1_best_cost_0_10_is_less := slice2window_sum_0_21 < slice2window_sum_0_20;
+      slice2winner1_best_cost_0_11_is_less := slice2window_sum_0_23 < slice2window_sum_0_22;
+      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_1_1_is_less := slice2window_sum_1_3 < slice2window_sum_1_2;
+      slice2winner1_best_cost_1_2_is_less := slice2window_sum_1_5 < slice2window_sum_1_4;
+      slice2winner1_best_cost_1_3_is_less := slice2window_sum_1_7 < slice2window_sum_1_6;
+      slice2winner1_best_cost_1_4_is_less := slice2window_sum_1_9 < slice2window_sum_1_8;
+      slice2winner1_best_cost_1_5_is_less := slice2window_sum_1_11 < slice2window_sum_1_10;
+      slice2winner1_best_cost_1_6_is_less := slice2window_sum_1_13 < slice2window_sum_1_12;
+      slice2winner1_best_cost_1_7_is_less := slice2window_sum_1_15 < slice2window_sum_1_14;
+      slice2winner1_best_cost_1_8_is_less := slice2window_sum_1_17 < slice2window_sum_1_16;
+      slice2winner1_best_cost_1_9_is_less := slice2window_sum_1_19 < slice2window_sum_1_18;
+      slice2winner1_best_cost_1_10_is_less := slice2window_sum_1_21 < slice2window_sum_1_20;
+      slice2winner1_best_cost_1_11_is_less := slice2window_sum_1_23 < slice2window_sum_1_22;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
+        slice2window_sum_0_2;
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
+        slice2window_sum_0_4;
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
+        slice2window_sum_0_6;
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
+        slice2window_sum_0_8;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
+        slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
+        slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
+        slice2window_sum_0_14;
+      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
+        slice2window_sum_0_16;
+      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
+        slice2window_sum_0_18;
+      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
+        slice2window_sum_0_20;
+      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
+        slice2window_sum_0_22;
+      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
+        slice2window_sum_1_0;
+      slice2winner1_best_cost_1_1 <= slice2window_sum_1_3 when slice2winner1_best_cost_1_1_is_less else
+        slice2window_sum_1_2;
+      slice2winner1_best_cost_1_2 <= slice2window_sum_1_5 when slice2winner1_best_cost_1_2_is_less else
+        slice2window_sum_1_4;
+      slice2winner1_best_cost_1_3 <= slice2window_sum_1_7 when slice2winner1_best_cost_1_3_is_less else
+        slice2window_sum_1_6;
+      slice2winner1_best_cost_1_4 <= slice2window_sum_1_9 when slice2winner1_best_cost_1_4_is_less else
+        slice2window_sum_1_8;
+      slice2winner1_best_cost_1_5 <= slice2window_sum_1_11 when slice2winner1_best_cost_1_5_is_less else
+        slice2window_sum_1_10;
+      slice2winner1_best_cost_1_6 <= slice2window_sum_1_13 when slice2winner1_best_cost_1_6_is_less else
+        slice2window_sum_1_12;
+      slice2winner1_best_cost_1_7 <= slice2window_sum_1_15 when slice2winner1_best_cost_1_7_is_less else
+        slice2window_sum_1_14;
+      slice2winner1_best_cost_1_8 <= slice2window_sum_1_17 when slice2winner1_best_cost_1_8_is_less else
+        slice2window_sum_1_16;
+      slice2winner1_best_cost_1_9 <= slice2window_sum_1_19 when slice2winner1_best_cost_1_9_is_less else
+        slice2window_sum_1_18;
+      slice2winner1_best_cost_1_10 <= slice2window_sum_1_21 when slice2winner1_best_cost_1_10_is_less else
+        slice2window_sum_1_20;
+      slice2winner1_best_cost_1_11 <= slice2window_sum_1_23 when slice2winner1_best_cost_1_11_is_less else
+        slice2window_sum_1_22;
+      slice2winner1_best_cost_1_12 <= slice2window_sum_1_24;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
+      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
+      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
+      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
+      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
+      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
+      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
+      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
+      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
+      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      slice2winner1_best_index_1_1 <= 3 when slice2winner1_best_cost_1_1_is_less else 2;
+      slice2winner1_best_index_1_2 <= 5 when slice2winner1_best_cost_1_2_is_less else 4;
+      slice2winner1_best_index_1_3 <= 7 when slice2winner1_best_cost_1_3_is_less else 6;
+      slice2winner1_best_index_1_4 <= 9 when slice2winner1_best_cost_1_4_is_less else 8;
+      slice2winner1_best_index_1_5 <= 11 when slice2winner1_best_cost_1_5_is_less else 10;
+      slice2winner1_best_index_1_6 <= 13 when slice2winner1_best_cost_1_6_is_less else 12;
+      slice2winner1_best_index_1_7 <= 15 when slice2winner1_best_cost_1_7_is_less else 14;
+      slice2winner1_best_index_1_8 <= 17 when slice2winner1_best_cost_1_8_is_less else 16;
+      slice2winner1_best_index_1_9 <= 19 when slice2winner1_best_cost_1_9_is_less else 18;
+      slice2winner1_best_index_1_10 <= 21 when slice2winner1_best_cost_1_10_is_less else 20;
+      slice2winner1_best_index_1_11 <= 23 when slice2winner1_best_cost_1_11_is_less else 22;
+      -- slice2winner2
+      slice2winner2_best_cost_0_0_is_less := slice2winner1_best_cost_0_1 < slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1_is_less := slice2winner1_best_cost_0_3 < slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2_is_less := slice2winner1_best_cost_0_5 < slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3_is_less := slice2winner1_best_cost_0_7 < slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_4_is_less := slice2winner1_best_cost_0_9 < slice2winner1_best_cost_0_8;
+      slice2winner2_best_cost_0_5_is_less := slice2winner1_best_cost_0_11 < slice2winner1_best_cost_0_10;
+      slice2winner2_best_cost_1_0_is_less := slice2winner1_best_cost_1_1 < slice2winner1_best_cost_1_0;
+      slice2winner2_best_cost_1_1_is_less := slice2winner1_best_cost_1_3 < slice2winner1_best_cost_1_2;
+      slice2winner2_best_cost_1_2_is_less := slice2winner1_best_cost_1_5 < slice2winner1_best_cost_1_4;
+      slice2winner2_best_cost_1_3_is_less := slice2winner1_best_cost_1_7 < slice2winner1_best_cost_1_6;
+      slice2winner2_best_cost_1_4_is_less := slice2winner1_best_cost_1_9 < slice2winner1_best_cost_1_8;
+      slice2winner2_best_cost_1_5_is_less := slice2winner1_best_cost_1_11 < slice2winner1_best_cost_1_10;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_cost_0_8;
+      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_cost_0_10;
+      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
+        slice2winner1_best_cost_1_0;
+      slice2winner2_best_cost_1_1 <= slice2winner1_best_cost_1_3 when slice2winner2_best_cost_1_1_is_less else
+        slice2winner1_best_cost_1_2;
+      slice2winner2_best_cost_1_2 <= slice2winner1_best_cost_1_5 when slice2winner2_best_cost_1_2_is_less else
+        slice2winner1_best_cost_1_4;
+      slice2winner2_best_cost_1_3 <= slice2winner1_best_cost_1_7 when slice2winner2_best_cost_1_3_is_less else
+        slice2winner1_best_cost_1_6;
+      slice2winner2_best_cost_1_4 <= slice2winner1_best_cost_1_9 when slice2winner2_best_cost_1_4_is_less else
+        slice2winner1_best_cost_1_8;
+      slice2winner2_best_cost_1_5 <= slice2winner1_best_cost_1_11 when slice2winner2_best_cost_1_5_is_less else
+        slice2winner1_best_cost_1_10;
+      slice2winner2_best_cost_1_6 <= slice2winner1_best_cost_1_12;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
+        as_number(slice2winner1_best_index_0_0);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
+        slice2winner1_best_index_0_2;
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
+        slice2winner1_best_index_0_4;
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
+        slice2winner1_best_index_0_6;
+      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
+        slice2winner1_best_index_0_8;
+      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
+        slice2winner1_best_index_0_10;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_best_cost_1_0_is_less else
+        as_number(slice2winner1_best_index_1_0);
+      slice2winner2_best_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_best_cost_1_1_is_less else
+        slice2winner1_best_index_1_2;
+      slice2winner2_best_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_best_cost_1_2_is_less else
+        slice2winner1_best_index_1_4;
+      slice2winner2_best_index_1_3 <= slice2winner1_best_index_1_7 when slice2winner2_best_cost_1_3_is_less else
+        slice2winner1_best_index_1_6;
+      slice2winner2_best_index_1_4 <= slice2winner1_best_index_1_9 when slice2winner2_best_cost_1_4_is_less else
+        slice2winner1_best_index_1_8;
+      slice2winner2_best_index_1_5 <= slice2winner1_best_index_1_11 when slice2winner2_best_cost_1_5_is_less else
+        slice2winner1_best_index_1_10;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0_is_less := slice2winner2_best_cost_0_1 < slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1_is_less := slice2winner2_best_cost_0_3 < slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_2_is_less := slice2winner2_best_cost_0_5 < slice2winner2_best_cost_0_4;
+      slice2winner3_best_cost_1_0_is_less := slice2winner2_best_cost_1_1 < slice2winner2_best_cost_1_0;
+      slice2winner3_best_cost_1_1_is_less := slice2winner2_best_cost_1_3 < slice2winner2_best_cost_1_2;
+      slice2winner3_best_cost_1_2_is_less := slice2winner2_best_cost_1_5 < slice2winner2_best_cost_1_4;
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_cost_0_4;
+      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_1 when slice2winner3_best_cost_1_0_is_less else
+        slice2winner2_best_cost_1_0;
+      slice2winner3_best_cost_1_1 <= slice2winner2_best_cost_1_3 when slice2winner3_best_cost_1_1_is_less else
+        slice2winner2_best_cost_1_2;
+      slice2winner3_best_cost_1_2 <= slice2winner2_best_cost_1_5 when slice2winner3_best_cost_1_2_is_less else
+        slice2winner2_best_cost_1_4;
+      slice2winner3_best_cost_1_3 <= slice2winner2_best_cost_1_6;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
+        slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
+        slice2winner2_best_index_0_2;
+      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
+        slice2winner2_best_index_0_4;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_1 when slice2winner3_best_cost_1_0_is_less else
+        slice2winner2_best_index_1_0;
+      slice2winner3_best_index_1_1 <= slice2winner2_best_index_1_3 when slice2winner3_best_cost_1_1_is_less else
+        slice2winner2_best_index_1_2;
+      slice2winner3_best_index_1_2 <= slice2winner2_best_index_1_5 when slice2winner3_best_cost_1_2_is_less else
+        slice2winner2_best_index_1_4;
+      -- slice2winner4
+      slice2winner4_best_cost_0_0_is_less := slice2winner3_best_cost_0_1 < slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_1_is_less := slice2winner3_best_cost_0_3 < slice2winner3_best_cost_0_2;
+      slice2winner4_best_cost_1_0_is_less := slice2winner3_best_cost_1_1 < slice2winner3_best_cost_1_0;
+      slice2winner4_best_cost_1_1_is_less := slice2winner3_best_cost_1_3 < slice2winner3_best_cost_1_2;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_cost_0_2;
+      slice2winner4_best_cost_1_0 <= slice2winner3_best_cost_1_1 when slice2winner4_best_cost_1_0_is_less else
+        slice2winner3_best_cost_1_0;
+      slice2winner4_best_cost_1_1 <= slice2winner3_best_cost_1_3 when slice2winner4_best_cost_1_1_is_less else
+        slice2winner3_best_cost_1_2;
+      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
+        slice2winner3_best_index_0_0;
+      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
+        slice2winner3_best_index_0_2;
+      slice2winner4_best_index_1_0 <= slice2winner3_best_index_1_1 when slice2winner4_best_cost_1_0_is_less else
+        slice2winner3_best_index_1_0;
+      slice2winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_1_1_is_less else
+        slice2winner3_best_index_1_2;
+      -- slice2winner5
+      slice2winner5_best_cost_0_0_is_less := slice2winner4_best_cost_0_1 < slice2winner4_best_cost_0_0;
+      slice2winner5_best_cost_1_0_is_less := slice2winner4_best_cost_1_1 < slice2winner4_best_cost_1_0;
+      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_cost_0_0;
+      slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1_1 when slice2winner5_best_cost_1_0_is_less else
+        slice2winner4_best_cost_1_0;
+      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
+        slice2winner4_best_index_0_0;
+      slice2winner5_best_index_1_0 <= slice2winner4_best_index_1_1 when slice2winner5_best_cost_1_0_is_less else
+        slice2winner4_best_index_1_0;
+      -- slice2
+      slice2_best_cost_0_0_is_less := slice1_best_cost_0_0 < slice2winner5_best_cost_0_0;
+      slice2_best_cost_1_0_is_less := slice1_best_cost_1_0 < slice2winner5_best_cost_1_0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
+      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner5_best_cost_1_0;
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
+        slice2winner5_best_index_0_0 + 25;
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_cost_1_0_is_less else
+        slice2winner5_best_index_1_0 + 25;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      -- slice3shift
+      if slice0cost_pair_tag_valid then
+        slice3shift_search_0_0 <= slice3shift_search_0_1;
+        slice3shift_search_0_1 <= slice3shift_search_0_2;
+        slice3shift_search_0_2 <= slice3shift_search_0_3;
+        slice3shift_search_0_3 <= slice3shift_search_0_4;
+        slice3shift_search_0_4 <= slice3shift_search_0_5;
+        slice3shift_search_0_5 <= slice3shift_search_0_6;
+        slice3shift_search_0_6 <= slice3shift_search_0_7;
+        slice3shift_search_0_7 <= slice3shift_search_0_8;
+        slice3shift_search_0_8 <= slice3shift_search_0_9;
+        slice3shift_search_0_9 <= slice3shift_search_0_10;
+        slice3shift_search_0_10 <= slice3shift_search_0_11;
+        slice3shift_search_0_11 <= slice3shift_search_0_12;
+        slice3shift_search_0_12 <= slice3shift_search_0_13;
+        slice3shift_search_0_13 <= slice3shift_search_0_14;
+        slice3shift_search_0_14 <= slice3shift_search_0_15;
+        slice3shift_search_0_15 <= slice3shift_search_0_16;
+        slice3shift_search_0_16 <= slice3shift_search_0_17;
+        slice3shift_search_0_17 <= slice3shift_search_0_18;
+        slice3shift_search_0_18 <= slice3shift_search_0_19;
+        slice3shift_search_0_19 <= slice3shift_search_0_20;
+        slice3shift_search_0_20 <= slice3shift_search_0_21;
+        slice3shift_search_0_21 <= slice3shift_search_0_22;
+        slice3shift_search_0_22 <= slice3shift_search_0_23;
+        slice3shift_search_0_23 <= slice3shift_search_0_24;
+        slice3shift_search_0_24 <= slice2shift_search_out_0;
+        slice3shift_search_1_0 <= slice3shift_search_1_1;
+        slice3shift_search_1_1 <= slice3shift_search_1_2;
+        slice3shift_search_1_2 <= slice3shift_search_1_3;
+        slice3shift_search_1_3 <= slice3shift_search_1_4;
+        slice3shift_search_1_4 <= slice3shift_search_1_5;
+        slice3shift_search_1_5 <= slice3shift_search_1_6;
+        slice3shift_search_1_6 <= slice3shift_search_1_7;
+        slice3shift_search_1_7 <= slice3shift_search_1_8;
+        slice3shift_search_1_8 <= slice3shift_search_1_9;
+        slice3shift_search_1_9 <= slice3shift_search_1_10;
+        slice3shift_search_1_10 <= slice3shift_search_1_11;
+        slice3shift_search_1_11 <= slice3shift_search_1_12;
+        slice3shift_search_1_12 <= slice3shift_search_1_13;
+        slice3shift_search_1_13 <= slice3shift_search_1_14;
+        slice3shift_search_1_14 <= slice3shift_search_1_15;
+        slice3shift_search_1_15 <= slice3shift_search_1_16;
+        slice3shift_search_1_16 <= slice3shift_search_1_17;
+        slice3shift_search_1_17 <= slice3shift_search_1_18;
+        slice3shift_search_1_18 <= slice3shift_search_1_19;
+        slice3shift_search_1_19 <= slice3shift_search_1_20;
+        slice3shift_search_1_20 <= slice3shift_search_1_21;
+        slice3shift_search_1_21 <= slice3shift_search_1_22;
+        slice3shift_search_1_22 <= slice3shift_search_1_23;
+        slice3shift_search_1_23 <= slice3shift_search_1_24;
+        slice3shift_search_1_24 <= slice2shift_search_out_1;
+        slice3shift_search_2_0 <= slice3shift_search_2_1;
+        slice3shift_search_2_1 <= slice3shift_search_2_2;
+        slice3shift_search_2_2 <= slice3shift_search_2_3;
+        slice3shift_search_2_3 <= slice3shift_search_2_4;
+        slice3shift_search_2_4 <= slice3shift_search_2_5;
+        slice3shift_search_2_5 <= slice3shift_search_2_6;
+        slice3shift_search_2_6 <= slice3shift_search_2_7;
+        slice3shift_search_2_7 <= slice3shift_search_2_8;
+        slice3shift_search_2_8 <= slice3shift_search_2_9;
+        slice3shift_search_2_9 <= slice3shift_search_2_10;
+        slice3shift_search_2_10 <= slice3shift_search_2_11;
+        slice3shift_search_2_11 <= slice3shift_search_2_12;
+        slice3shift_search_2_12 <= slice3shift_search_2_13;
+        slice3shift_search_2_13 <= slice3shift_search_2_14;
+        slice3shift_search_2_14 <= slice3shift_search_2_15;
+        slice3shift_search_2_15 <= slice3shift_search_2_16;
+        slice3shift_search_2_16 <= slice3shift_search_2_17;
+        slice3shift_search_2_17 <= slice3shift_search_2_18;
+        slice3shift_search_2_18 <= slice3shift_search_2_19;
+        slice3shift_search_2_19 <= slice3shift_search_2_20;
+        slice3shift_search_2_20 <= slice3shift_search_2_21;
+        slice3shift_search_2_21 <= slice3shift_search_2_22;
+        slice3shift_search_2_22 <= slice3shift_search_2_23;
+        slice3shift_search_2_23 <= slice3shift_search_2_24;
+        slice3shift_search_2_24 <= slice2shift_search_out_2;
+        slice3shift_search_3_0 <= slice3shift_search_3_1;
+        slice3shift_search_3_1 <= slice3shift_search_3_2;
+        slice3shift_search_3_2 <= slice3shift_search_3_3;
+        slice3shift_search_3_3 <= slice3shift_search_3_4;
+        slice3shift_search_3_4 <= slice3shift_search_3_5;
+        slice3shift_search_3_5 <= slice3shift_search_3_6;
+        slice3shift_search_3_6 <= slice3shift_search_3_7;
+        slice3shift_search_3_7 <= slice3shift_search_3_8;
+        slice3shift_search_3_8 <= slice3shift_search_3_9;
+        slice3shift_search_3_9 <= slice3shift_search_3_10;
+        slice3shift_search_3_10 <= slice3shift_search_3_11;
+        slice3shift_search_3_11 <= slice3shift_search_3_12;
+        slice3shift_search_3_12 <= slice3shift_search_3_13;
+        slice3shift_search_3_13 <= slice3shift_search_3_14;
+        slice3shift_search_3_14 <= slice3shift_search_3_15;
+        slice3shift_search_3_15 <= slice3shift_search_3_16;
+        slice3shift_search_3_16 <= slice3shift_search_3_17;
+        slice3shift_search_3_17 <= slice3shift_search_3_18;
+        slice3shift_search_3_18 <= slice3shift_search_3_19;
+        slice3shift_search_3_19 <= slice3shift_search_3_20;
+        slice3shift_search_3_20 <= slice3shift_search_3_21;
+        slice3shift_search_3_21 <= slice3shift_search_3_22;
+        slice3shift_search_3_22 <= slice3shift_search_3_23;
+        slice3shift_search_3_23 <= slice3shift_search_3_24;
+        slice3shift_search_3_24 <= slice2shift_search_out_3;
+      end if;
+      slice3shift_reference_0 <= slice2shift_reference_0;
+      slice3shift_reference_1 <= slice2shift_reference_1;
+      slice3shift_reference_2 <= slice2shift_reference_2;
+      slice3shift_reference_3 <= slice2shift_reference_3;
+      -- slice3cost
+      slice3cost_pair_0_0_choice := slice3cost_reverse_0_0 when slice3cost_difference_2_0 < 0 else
+        positive_part(slice3cost_difference_2_0);
+      slice3cost_pair_0_1_choice := slice3cost_reverse_0_1 when slice3cost_difference_2_1 < 0 else
+        positive_part(slice3cost_difference_2_1);
+      slice3cost_pair_0_2_choice := slice3cost_reverse_0_2 when slice3cost_difference_2_2 < 0 else
+        positive_part(slice3cost_difference_2_2);
+      slice3cost_pair_0_3_choice := slice3cost_reverse_0_3 when slice3cost_difference_2_3 < 0 else
+        positive_part(slice3cost_difference_2_3);
+      slice3cost_pair_0_4_choice := slice3cost_reverse_0_4 when slice3cost_difference_2_4 < 0 else
+        positive_part(slice3cost_difference_2_4);
+      slice3cost_pair_0_5_choice := slice3cost_reverse_0_5 when slice3cost_difference_2_5 < 0 else
+        positive_part(slice3cost_difference_2_5);
+      slice3cost_pair_0_6_choice := slice3cost_reverse_0_6 when slice3cost_difference_2_6 < 0 else
+        positive_part(slice3cost_difference_2_6);
+      slice3cost_pair_0_7_choice := slice3cost_reverse_0_7 when slice3cost_difference_2_7 < 0 else
+        positive_part(slice3cost_difference_2_7);
+      slice3cost_pair_0_8_choice := slice3cost_reverse_0_8 when slice3cost_difference_2_8 < 0 else
+        positive_part(slice3cost_difference_2_8);
+      slice3cost_pair_0_9_choice := slice3cost_reverse_0_9 when slice3cost_difference_2_9 < 0 else
+        positive_part(slice3cost_difference_2_9);
+      slice3cost_pair_0_10_choice := slice3cost_reverse_0_10 when slice3cost_difference_2_10 < 0 else
+        positive_part(slice3cost_difference_2_10);
+      slice3cost_pair_0_11_choice := slice3cost_reverse_0_11 when slice3cost_difference_2_11 < 0 else
+        positive_part(slice3cost_difference_2_11);
+      slice3cost_pair_0_12_choice := slice3cost_reverse_0_12 when slice3cost_difference_2_12 < 0 else
+        positive_part(slice3cost_difference_2_12);
+      slice3cost_pair_0_13_choice := slice3cost_reverse_0_13 when slice3cost_difference_2_13 < 0 else
+        positive_part(slice3cost_difference_2_13);
+      slice3cost_pair_0_14_choice := slice3cost_reverse_0_14 when slice3cost_difference_2_14 < 0 else
+        positive_part(slice3cost_difference_2_14);
+      slice3cost_pair_0_15_choice := slice3cost_reverse_0_15 when slice3cost_difference_2_15 < 0 else
+        positive_part(slice3cost_difference_2_15);
+      slice3cost_pair_0_16_choice := slice3cost_reverse_0_16 when slice3cost_difference_2_16 < 0 else
+        positive_part(slice3cost_difference_2_16);
+      slice3cost_pair_0_17_choice := slice3cost_reverse_0_17 when slice3cost_difference_2_17 < 0 else
+        positive_part(slice3cost_difference_2_17);
+      slice3cost_pair_0_18_choice := slice3cost_reverse_0_18 when slice3cost_difference_2_18 < 0 else
+        positive_part(slice3cost_difference_2_18);
+      slice3cost_pair_0_19_choice := slice3cost_reverse_0_19 when slice3cost_difference_2_19 < 0 else
+        positive_part(slice3cost_difference_2_19);
+      slice3cost_pair_0_20_choice := slice3cost_reverse_0_20 when slice3cost_difference_2_20 < 0 else
+        positive_part(slice3cost_difference_2_20);
+      slice3cost_pair_0_21_choice := slice3cost_reverse_0_21 when slice3cost_difference_2_21 < 0 else
+        positive_part(slice3cost_difference_2_21);
+      slice3cost_pair_0_22_choice := slice3cost_reverse_0_22 when slice3cost_difference_2_22 < 0 else
+        positive_part(slice3cost_difference_2_22);
+      slice3cost_pair_0_23_choice := slice3cost_reverse_0_23 when slice3cost_difference_2_23 < 0 else
+        positive_part(slice3cost_difference_2_23);
+      slice3cost_pair_0_24_choice := slice3cost_reverse_0_24 when slice3cost_difference_2_24 < 0 else
+        positive_part(slice3cost_difference_2_24);
+      slice3cost_difference_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
+      slice3cost_difference_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
+      slice3cost_difference_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
+      slice3cost_difference_0_3 <= slice3shift_search_0_3 - slice3shift_reference_0;
+      slice3cost_difference_0_4 <= slice3shift_search_0_4 - slice3shift_reference_0;
+      slice3cost_difference_0_5 <= slice3shift_search_0_5 - slice3shift_reference_0;
+      slice3cost_difference_0_6 <= slice3shift_search_0_6 - slice3shift_reference_0;
+      slice3cost_difference_0_7 <= slice3shift_search_0_7 - slice3shift_reference_0;
+      slice3cost_difference_0_8 <= slice3shift_search_0_8 - slice3shift_reference_0;
+      slice3cost_difference_0_9 <= slice3shift_search_0_9 - slice3shift_reference_0;
+      slice3cost_difference_0_10 <= slice3shift_search_0_10 - slice3shift_reference_0;
+      slice3cost_difference_0_11 <= slice3shift_search_0_11 - slice3shift_reference_0;
+      slice3cost_difference_0_12 <= slice3shift_search_0_12 - slice3shift_reference_0;
+      slice3cost_difference_0_13 <= slice3shift_search_0_13 - slice3shift_reference_0;
+      slice3cost_difference_0_14 <= slice3shift_search_0_14 - slice3shift_reference_0;
+      slice3cost_difference_0_15 <= slice3shift_search_0_15 - slice3shift_reference_0;
+      slice3cost_difference_0_16 <= slice3shift_search_0_16 - slice3shift_reference_0;
+      slice3cost_difference_0_17 <= slice3shift_search_0_17 - slice3shift_reference_0;
+      slice3cost_difference_0_18 <= slice3shift_search_0_18 - slice3shift_reference_0;
+      slice3cost_difference_0_19 <= slice3shift_search_0_19 - slice3shift_reference_0;
+      slice3cost_difference_0_20 <= slice3shift_search_0_20 - slice3shift_reference_0;
+      slice3cost_difference_0_21 <= slice3shift_search_0_21 - slice3shift_reference_0;
+      slice3cost_difference_0_22 <= slice3shift_search_0_22 - slice3shift_reference_0;
+      slice3cost_difference_0_23 <= slice3shift_search_0_23 - slice3shift_reference_0;
+      slice3cost_difference_0_24 <= slice3shift_search_0_24 - slice3shift_reference_0;
+      slice3cost_difference_1_0 <= slice3shift_search_1_0 - slice3shift_reference_1;
+      slice3cost_difference_1_1 <= slice3shift_search_1_1 - slice3shift_reference_1;
+      slice3cost_difference_1_2 <= slice3shift_search_1_2 - slice3shift_reference_1;
+      slice3cost_difference_1_3 <= slice3shift_search_1_3 - slice3shift_reference_1;
+      slice3cost_difference_1_4 <= slice3shift_search_1_4 - slice3shift_reference_1;
+      slice3cost_difference_1_5 <= slice3shift_search_1_5 - slice3shift_reference_1;
+      slice3cost_difference_1_6 <= slice3shift_search_1_6 - slice3shift_reference_1;
+      slice3cost_difference_1_7 <= slice3shift_search_1_7 - slice3shift_reference_1;
+      slice3cost_difference_1_8 <= slice3shift_search_1_8 - slice3shift_reference_1;
+      slice3cost_difference_1_9 <= slice3shift_search_1_9 - slice3shift_reference_1;
+      slice3cost_difference_1_10 <= slice3shift_search_1_10 - slice3shift_reference_1;
+      slice3cost_difference_1_11 <= slice3shift_search_1_11 - slice3shift_reference_1;
+      slice3cost_difference_1_12 <= slice3shift_search_1_12 - slice3shift_reference_1;
+      slice3cost_difference_1_13 <= slice3shift_search_1_13 - slice3shift_reference_1;
+      slice3cost_difference_1_14 <= slice3shift_search_1_14 - slice3shift_reference_1;
+      slice3cost_difference_1_15 <= slice3shift_search_1_15 - slice3shift_reference_1;
+      slice3cost_difference_1_16 <= slice3shift_search_1_16 - slice3shift_reference_1;
+      slice3cost_difference_1_17 <= slice3shift_search_1_17 - slice3shift_reference_1;
+      slice3cost_difference_1_18 <= slice3shift_search_1_18 - slice3shift_reference_1;
+      slice3cost_difference_1_19 <= slice3shift_search_1_19 - slice3shift_reference_1;
+      slice3cost_difference_1_20 <= slice3shift_search_1_20 - slice3shift_reference_1;
+      slice3cost_difference_1_21 <= slice3shift_search_1_21 - slice3shift_reference_1;
+      slice3cost_difference_1_22 <= slice3shift_search_1_22 - slice3shift_reference_1;
+      slice3cost_difference_1_23 <= slice3shift_search_1_23 - slice3shift_reference_1;
+      slice3cost_difference_1_24 <= slice3shift_search_1_24 - slice3shift_reference_1;
+      slice3cost_difference_2_0 <= slice3shift_search_2_0 - slice3shift_reference_2;
+      slice3cost_difference_2_1 <= slice3shift_search_2_1 - slice3shift_reference_2;
+      slice3cost_difference_2_2 <= slice3shift_search_2_2 - slice3shift_reference_2;
+      slice3cost_difference_2_3 <= slice3shift_search_2_3 - slice3shift_reference_2;
+      slice3cost_difference_2_4 <= slice3shift_search_2_4 - slice3shift_reference_2;
+      slice3cost_difference_2_5 <= slice3shift_search_2_5 - slice3shift_reference_2;
+      slice3cost_difference_2_6 <= slice3shift_search_2_6 - slice3shift_reference_2;
+      slice3cost_difference_2_7 <= slice3shift_search_2_7 - slice3shift_reference_2;
+      slice3cost_difference_2_8 <= slice3shift_search_2_8 - slice3shift_reference_2;
+      slice3cost_difference_2_9 <= slice3shift_search_2_9 - slice3shift_reference_2;
+      slice3cost_difference_2_10 <= slice3shift_search_2_10 - slice3shift_reference_2;
+      slice3cost_difference_2_11 <= slice3shift_search_2_11 - slice3shift_reference_2;
+      slice3cost_difference_2_12 <= slice3shift_search_2_12 - slice3shift_reference_2;
+      slice3cost_difference_2_13 <= slice3shift_search_2_13 - slice3shift_reference_2;
+      slice3cost_difference_2_14 <= slice3shift_search_2_14 - slice3shift_reference_2;
+      slice3cost_difference_2_15 <= slice3shift_search_2_15 - slice3shift_reference_2;
+      slice3cost_difference_2_16 <= slice3shift_search_2_16 - slice3shift_reference_2;
+      slice3cost_difference_2_17 <= slice3shift_search_2_17 - slice3shift_reference_2;
+      slice3cost_difference_2_18 <= slice3shift_search_2_18 - slice3shift_reference_2;
+      slice3cost_difference_2_19 <= slice3shift_search_2_19 - slice3shift_reference_2;
+      slice3cost_difference_2_20 <= slice3shift_search_2_20 - slice3shift_reference_2;
+      slice3cost_difference_2_21 <= slice3shift_search_2_21 - slice3shift_reference_2;
+      slice3cost_difference_2_22 <= slice3shift_search_2_22 - slice3shift_reference_2;
+      slice3cost_difference_2_23 <= slice3shift_search_2_23 - slice3shift_reference_2;
+      slice3cost_difference_2_24 <= slice3shift_search_2_24 - slice3shift_reference_2;
+      slice3cost_difference_3_0 <= slice3shift_search_3_0 - slice3shift_reference_3;
+      slice3cost_difference_3_1 <= slice3shift_search_3_1 - slice3shift_reference_3;
+      slice3cost_difference_3_2 <= slice3shift_search_3_2 - slice3shift_reference_3;
+      slice3cost_difference_3_3 <= slice3shift_search_3_3 - slice3shift_reference_3;
+      slice3cost_difference_3_4 <= slice3shift_search_3_4 - slice3shift_reference_3;
+      slice3cost_difference_3_5 <= slice3shift_search_3_5 - slice3shift_reference_3;
+      slice3cost_difference_3_6 <= slice3shift_search_3_6 - slice3shift_reference_3;
+      slice3cost_difference_3_7 <= slice3shift_search_3_7 - slice3shift_reference_3;
+      slice3cost_difference_3_8 <= slice3shift_search_3_8 - slice3shift_reference_3;
+      slice3cost_difference_3_9 <= slice3shift_search_3_9 - slice3shift_reference_3;
+      slice3cost_difference_3_10 <= slice3shift_search_3_10 - slice3shift_reference_3;
+      slice3cost_difference_3_11 <= slice3shift_search_3_11 - slice3shift_reference_3;
+      slice3cost_difference_3_12 <= slice3shift_search_3_12 - slice3shift_reference_3;
+      slice3cost_difference_3_13 <= slice3shift_search_3_13 - slice3shift_reference_3;
+      slice3cost_difference_3_14 <= slice3shift_search_3_14 - slice3shift_reference_3;
+      slice3cost_difference_3_15 <= slice3shift_search_3_15 - slice3shift_reference_3;
+      slice3cost_difference_3_16 <= slice3shift_search_3_16 - slice3shift_reference_3;
+      slice3cost_difference_3_17 <= slice3shift_search_3_17 - slice3shift_reference_3;
+      slice3cost_difference_3_18 <= slice3shift_search_3_18 - slice3shift_reference_3;
+      slice3cost_difference_3_19 <= slice3shift_search_3_19 - slice3shift_reference_3;
+      slice3cost_difference_3_20 <= slice3shift_search_3_20 - slice3shift_reference_3;
+      slice3cost_difference_3_21 <= slice3shift_search_3_21 - slice3shift_reference_3;
+      slice3cost_difference_3_22 <= slice3shift_search_3_22 - slice3shift_reference_3;
+      slice3cost_difference_3_23 <= slice3shift_search_3_23 - slice3shift_reference_3;
+      slice3cost_difference_3_24 <= slice3shift_search_3_24 - slice3shift_reference_3;
+      slice3cost_reverse_0_0 <= (slice3shift_reference_2 - slice3shift_search_2_0) mod 256;
+      slice3cost_reverse_0_1 <= (slice3shift_reference_2 - slice3shift_search_2_1) mod 256;
+      slice3cost_reverse_0_2 <= (slice3shift_reference_2 - slice3shift_search_2_2) mod 256;
+      slice3cost_reverse_0_3 <= (slice3shift_reference_2 - slice3shift_search_2_3) mod 256;
+      slice3cost_reverse_0_4 <= (slice3shift_reference_2 - slice3shift_search_2_4) mod 256;
+      slice3cost_reverse_0_5 <= (slice3shift_reference_2 - slice3shift_search_2_5) mod 256;
+      slice3cost_reverse_0_6 <= (slice3shift_reference_2 - slice3shift_search_2_6) mod 256;
+      slice3cost_reverse_0_7 <= (slice3shift_reference_2 - slice3shift_search_2_7) mod 256;
+      slice3cost_reverse_0_8 <= (slice3shift_reference_2 - slice3shift_search_2_8) mod 256;
+      slice3cost_reverse_0_9 <= (slice3shift_reference_2 - slice3shift_search_2_9) mod 256;
+      slice3cost_reverse_0_10 <= (slice3shift_reference_2 - slice3shift_search_2_10) mod 256;
+      slice3cost_reverse_0_11 <= (slice3shift_reference_2 - slice3shift_search_2_11) mod 256;
+      slice3cost_reverse_0_12 <= (slice3shift_reference_2 - slice3shift_search_2_12) mod 256;
+      slice3cost_reverse_0_13 <= (slice3shift_reference_2 - slice3shift_search_2_13) mod 256;
+      slice3cost_reverse_0_14 <= (slice3shift_reference_2 - slice3shift_search_2_14) mod 256;
+      slice3cost_reverse_0_15 <= (slice3shift_reference_2 - slice3shift_search_2_15) mod 256;
+      slice3cost_reverse_0_16 <= (slice3shift_reference_2 - slice3shift_search_2_16) mod 256;
+      slice3cost_reverse_0_17 <= (slice3shift_reference_2 - slice3shift_search_2_17) mod 256;
+      slice3cost_reverse_0_18 <= (slice3shift_reference_2 - slice3shift_search_2_18) mod 256;
+      slice3cost_reverse_0_19 <= (slice3shift_reference_2 - slice3shift_search_2_19) mod 256;
+      slice3cost_reverse_0_20 <= (slice3shift_reference_2 - slice3shift_search_2_20) mod 256;
+      slice3cost_reverse_0_21 <= (slice3shift_reference_2 - slice3shift_search_2_21) mod 256;
+      slice3cost_reverse_0_22 <= (slice3shift_reference_2 - slice3shift_search_2_22) mod 256;
+      slice3cost_reverse_0_23 <= (slice3shift_reference_2 - slice3shift_search_2_23) mod 256;
+      slice3cost_reverse_0_24 <= (slice3shift_reference_2 - slice3shift_search_2_24) mod 256;
+      slice3cost_pair_0_0 <= slice3cost_pair_0_0_choice + folded(slice3cost_difference_1_0) +
+        as_number((slice3cost_difference_1_0 < 0));
+      slice3cost_pair_0_1 <= slice3cost_pair_0_1_choice + folded(slice3cost_difference_1_1) +
+        as_number((slice3cost_difference_1_1 < 0));
+      slice3cost_pair_0_2 <= slice3cost_pair_0_2_choice + folded(slice3cost_difference_1_2) +
+        as_number((slice3cost_difference_1_2 < 0));
+      slice3cost_pair_0_3 <= slice3cost_pair_0_3_choice + folded(slice3cost_difference_1_3) +
+        as_number((slice3cost_difference_1_3 < 0));
+      slice3cost_pair_0_4 <= slice3cost_pair_0_4_choice + folded(slice3cost_difference_1_4) +
+        as_number((slice3cost_difference_1_4 < 0));
+      slice3cost_pair_0_5 <= slice3cost_pair_0_5_choice + folded(slice3cost_difference_1_5) +
+        as_number((slice3cost_difference_1_5 < 0));
+      slice3cost_pair_0_6 <= slice3cost_pair_0_6_choice + folded(slice3cost_difference_1_6) +
+        as_number((slice3cost_difference_1_6 < 0));
+      slice3cost_pair_0_7 <= slice3cost_pair_0_7_choice + folded(slice3cost_difference_1_7) +
+        as_number((slice3cost_difference_1_7 < 0));
+      slice3cost_pair_0_8 <= slice3cost_pair_0_8_choice + folded(slice3cost_difference_1_8) +
+        as_number((slice3cost_difference_1_8 < 0));
+      slice3cost_pair_0_9 <= slice3cost_pair_0_9_choice + folded(slice3cost_difference_1_9) +
+        as_number((slice3cost_difference_1_9 < 0));
+      slice3cost_pair_0_10 <= slice3cost_pair_0_10_choice + folded(slice3cost_difference_1_10) +
+        as_number((slice3cost_difference_1_10 < 0));
+      slice3cost_pair_0_11 <= slice3cost_pair_0_11_choice + folded(slice3cost_difference_1_11) +
+        as_number((slice3cost_difference_1_11 < 0));
+      slice3cost_pair_0_12 <= slice3cost_pair_0_12_choice + folded(slice3cost_difference_1_12) +
+        as_number((slice3cost_difference_1_12 < 0));
+      slice3cost_pair_0_13 <= slice3cost_pair_0_13_choice + folded(slice3cost_difference_1_13) +
+        as_number((slice3cost_difference_1_13 < 0));
+      slice3cost_pair_0_14 <= slice3cost_pair_0_14_choice + folded(slice3cost_difference_1_14) +
+        as_number((slice3cost_difference_1_14 < 0));
+      slice3cost_pair_0_15 <= slice3cost_pair_0_15_choice + folded(slice3cost_difference_1_15) +
+        as_number((slice3cost_difference_1_15 < 0));
+      slice3cost_pair_0_16 <= slice3cost_pair_0_16_choice + folded(slice3cost_difference_1_16) +
+        as_number((slice3cost_difference_1_16 < 0));
+      slice3cost_pair_0_17 <= slice3cost_pair_0_17_choice + folded(slice3cost_difference_1_17) +
+        as_number((slice3cost_difference_1_17 < 0));
+      slice3cost_pair_0_18 <= slice3cost_pair_0_18_choice + folded(slice3cost_difference_1_18) +
+        as_number((slice3cost_difference_1_18 < 0));
+      slice3cost_pair_0_19 <= slice3cost_pair_0_19_choice + folded(slice3cost_difference_1_19) +
+        as_number((slice3cost_difference_1_19 < 0));
+      slice3cost_pair_0_20 <= slice3cost_pair_0_20_choice + folded(slice3cost_difference_1_20) +
+        as_number((slice3cost_difference_1_20 < 0));
+      slice3cost_pair_0_21 <= slice3cost_pair_0_21_choice + folded(slice3cost_difference_1_21) +
+        as_number((slice3cost_difference_1_21 < 0));
+      slice3cost_pair_0_22 <= slice3cost_pair_0_22_choice + folded(slice3cost_difference_1_22) +
+        as_number((slice3cost_difference_1_22 < 0));
+      slice3cost_pair_0_23 <= slice3cost_pair_0_23_choice + folded(slice3cost_difference_1_23) +
+        as_number((slice3cost_difference_1_23 < 0));
+      slice3cost_pair_0_24 <= slice3cost_pair_0_24_choice + folded(slice3cost_difference_1_24) +
+        as_number((slice3cost_difference_1_24 < 0));
+      slice3cost_single_0_0 <= folded(slice3cost_difference_0_0);
+      slice3cost_single_0_1 <= folded(slice3cost_difference_0_1);
+      slice3cost_single_0_2 <= folded(slice3cost_difference_0_2);
+      slice3cost_single_0_3 <= folded(slice3cost_difference_0_3);
+      slice3cost_single_0_4 <= folded(slice3cost_difference_0_4);
+      slice3cost_single_0_5 <= folded(slice3cost_difference_0_5);
+      slice3cost_single_0_6 <= folded(slice3cost_difference_0_6);
+      slice3cost_single_0_7 <= folded(slice3cost_difference_0_7);
+      slice3cost_single_0_8 <= folded(slice3cost_difference_0_8);
+      slice3cost_single_0_9 <= folded(slice3cost_difference_0_9);
+      slice3cost_single_0_10 <= folded(slice3cost_difference_0_10);
+      slice3cost_single_0_11 <= folded(slice3cost_difference_0_11);
+      slice3cost_single_0_12 <= folded(slice3cost_difference_0_12);
+      slice3cost_single_0_13 <= folded(slice3cost_difference_0_13);
+      slice3cost_single_0_14 <= folded(slice3cost_difference_0_14);
+      slice3cost_single_0_15 <= folded(slice3cost_difference_0_15);
+      slice3cost_single_0_16 <= folded(slice3cost_difference_0_16);
+      slice3cost_single_0_17 <= folded(slice3cost_difference_0_17);
+      slice3cost_single_0_18 <= folded(slice3cost_difference_0_18);
+      slice3cost_single_0_19 <= folded(slice3cost_difference_0_19);
+      slice3cost_single_0_20 <= folded(slice3cost_difference_0_20);
+      slice3cost_single_0_21 <= folded(slice3cost_difference_0_21);
+      slice3cost_single_0_22 <= folded(slice3cost_difference_0_22);
+      slice3cost_single_0_23 <= folded(slice3cost_difference_0_23);
+      slice3cost_single_0_24 <= folded(slice3cost_difference_0_24);
+      slice3cost_single_3_0 <= folded(slice3cost_difference_3_0);
+      slice3cost_single_3_1 <= folded(slice3cost_difference_3_1);
+      slice3cost_single_3_2 <= folded(slice3cost_difference_3_2);
+      slice3cost_single_3_3 <= folded(slice3cost_difference_3_3);
+      slice3cost_single_3_4 <= folded(slice3cost_difference_3_4);
+      slice3cost_single_3_5 <= folded(slice3cost_difference_3_5);
+      slice3cost_single_3_6 <= folded(slice3cost_difference_3_6);
+      slice3cost_single_3_7 <= folded(slice3cost_difference_3_7);
+      slice3cost_single_3_8 <= folded(slice3cost_difference_3_8);
+      slice3cost_single_3_9 <= folded(slice3cost_difference_3_9);
+      slice3cost_single_3_10 <= folded(slice3cost_difference_3_10);
+      slice3cost_single_3_11 <= folded(slice3cost_difference_3_11);
+      slice3cost_single_3_12 <= folded(slice3cost_difference_3_12);
+      slice3cost_single_3_13 <= folded(slice3cost_difference_3_13);
+      slice3cost_single_3_14 <= folded(slice3cost_difference_3_14);
+      slice3cost_single_3_15 <= folded(slice3cost_difference_3_15);
+      slice3cost_single_3_16 <= folded(slice3cost_difference_3_16);
+      slice3cost_single_3_17 <= folded(slice3cost_difference_3_17);
+      slice3cost_single_3_18 <= folded(slice3cost_difference_3_18);
+      slice3cost_single_3_19 <= folded(slice3cost_difference_3_19);
+      slice3cost_single_3_20 <= folded(slice3cost_difference_3_20);
+      slice3cost_single_3_21 <= folded(slice3cost_difference_3_21);
+      slice3cost_single_3_22 <= folded(slice3cost_difference_3_22);
+      slice3cost_single_3_23 <= folded(slice3cost_difference_3_23);
+      slice3cost_single_3_24 <= folded(slice3cost_difference_3_24);
+      slice3cost_negative_0_0 <= slice3cost_difference_0_0 < 0;
+      slice3cost_negative_0_1 <= slice3cost_difference_0_1 < 0;
+      slice3cost_negative_0_2 <= slice3cost_difference_0_2 < 0;
+      slice3cost_negative_0_3 <= slice3cost_difference_0_3 < 0;
+      slice3cost_negative_0_4 <= slice3cost_difference_0_4 < 0;
+      slice3cost_negative_0_5 <= slice3cost_difference_0_5 < 0;
+      slice3cost_negative_0_6 <= slice3cost_difference_0_6 < 0;
+      slice3cost_negative_0_7 <= slice3cost_difference_0_7 < 0;
+      slice3cost_negative_0_8 <= slice3cost_difference_0_8 < 0;
+      slice3cost_negative_0_9 <= slice3cost_difference_0_9 < 0;
+      slice3cost_negative_0_10 <= slice3cost_difference_0_10 < 0;
+      slice3cost_negative_0_11 <= slice3cost_difference_0_11 < 0;
+      slice3cost_negative_0_12 <= slice3cost_difference_0_12 < 0;
+      slice3cost_negative_0_13 <= slice3cost_difference_0_13 < 0;
+      slice3cost_negative_0_14 <= slice3cost_difference_0_14 < 0;
+      slice3cost_negative_0_15 <= slice3cost_difference_0_15 < 0;
+      slice3cost_negative_0_16 <= slice3cost_difference_0_16 < 0;
+      slice3cost_negative_0_17 <= slice3cost_difference_0_17 < 0;
+      slice3cost_negative_0_18 <= slice3cost_difference_0_18 < 0;
+      slice3cost_negative_0_19 <= slice3cost_difference_0_19 < 0;
+      slice3cost_negative_0_20 <= slice3cost_difference_0_20 < 0;
+      slice3cost_negative_0_21 <= slice3cost_difference_0_21 < 0;
+      slice3cost_negative_0_22 <= slice3cost_difference_0_22 < 0;
+      slice3cost_negative_0_23 <= slice3cost_difference_0_23 < 0;
+      slice3cost_negative_0_24 <= slice3cost_difference_0_24 < 0;
+      slice3cost_negative_3_0 <= slice3cost_difference_3_0 < 0;
+      slice3cost_negative_3_1 <= slice3cost_difference_3_1 < 0;
+      slice3cost_negative_3_2 <= slice3cost_difference_3_2 < 0;
+      slice3cost_negative_3_3 <= slice3cost_difference_3_3 < 0;
+      slice3cost_negative_3_4 <= slice3cost_difference_3_4 < 0;
+      slice3cost_negative_3_5 <= slice3cost_difference_3_5 < 0;
+      slice3cost_negative_3_6 <= slice3cost_difference_3_6 < 0;
+      slice3cost_negative_3_7 <= slice3cost_difference_3_7 < 0;
+      slice3cost_negative_3_8 <= slice3cost_difference_3_8 < 0;
+      slice3cost_negative_3_9 <= slice3cost_difference_3_9 < 0;
+      slice3cost_negative_3_10 <= slice3cost_difference_3_10 < 0;
+      slice3cost_negative_3_11 <= slice3cost_difference_3_11 < 0;
+      slice3cost_negative_3_12 <= slice3cost_difference_3_12 < 0;
+      slice3cost_negative_3_13 <= slice3cost_difference_3_13 < 0;
+      slice3cost_negative_3_14 <= slice3cost_difference_3_14 < 0;
+      slice3cost_negative_3_15 <= slice3cost_difference_3_15 < 0;
+      slice3cost_negative_3_16 <= slice3cost_difference_3_16 < 0;
+      slice3cost_negative_3_17 <= slice3cost_difference_3_17 < 0;
+      slice3cost_negative_3_18 <= slice3cost_difference_3_18 < 0;
+      slice3cost_negative_3_19 <= slice3cost_difference_3_19 < 0;
+      slice3cost_negative_3_20 <= slice3cost_difference_3_20 < 0;
+      slice3cost_negative_3_21 <= slice3cost_difference_3_21 < 0;
+      slice3cost_negative_3_22 <= slice3cost_difference_3_22 < 0;
+      slice3cost_negative_3_23 <= slice3cost_difference_3_23 < 0;
+      slice3cost_negative_3_24 <= slice3cost_difference_3_24 < 0;
+      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_0) +
+        slice3cost_pair_0_0 + slice3cost_single_0_0;
+      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_1) +
+        slice3cost_pair_0_1 + slice3cost_single_0_1;
+      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_2) +
+        slice3cost_pair_0_2 + slice3cost_single_0_2;
+      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_3) +
+        slice3cost_pair_0_3 + slice3cost_single_0_3;
+      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_4) +
+        slice3cost_pair_0_4 + slice3cost_single_0_4;
+      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_5) +
+        slice3cost_pair_0_5 + slice3cost_single_0_5;
+      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_6) +
+        slice3cost_pair_0_6 + slice3cost_single_0_6;
+      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_7) +
+        slice3cost_pair_0_7 + slice3cost_single_0_7;
+      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_8) +
+        slice3cost_pair_0_8 + slice3cost_single_0_8;
+      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_9) +
+        slice3cost_pair_0_9 + slice3cost_single_0_9;
+      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_10) +
+        slice3cost_pair_0_10 + slice3cost_single_0_10;
+      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_11) +
+        slice3cost_pair_0_11 + slice3cost_single_0_11;
+      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_12) +
+        slice3cost_pair_0_12 + slice3cost_single_0_12;
+      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_13) +
+        slice3cost_pair_0_13 + slice3cost_single_0_13;
+      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_14) +
+        slice3cost_pair_0_14 + slice3cost_single_0_14;
+      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_15) +
+        slice3cost_pair_0_15 + slice3cost_single_0_15;
+      slice3cost_column_0_16 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_16) +
+        slice3cost_pair_0_16 + slice3cost_single_0_16;
+      slice3cost_column_0_17 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_17) +
+        slice3cost_pair_0_17 + slice3cost_single_0_17;
+      slice3cost_column_0_18 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_18) +
+        slice3cost_pair_0_18 + slice3cost_single_0_18;
+      slice3cost_column_0_19 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_19) +
+        slice3cost_pair_0_19 + slice3cost_single_0_19;
+      slice3cost_column_0_20 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_20) +
+        slice3cost_pair_0_20 + slice3cost_single_0_20;
+      slice3cost_column_0_21 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_21) +
+        slice3cost_pair_0_21 + slice3cost_single_0_21;
+      slice3cost_column_0_22 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_22) +
+        slice3cost_pair_0_22 + slice3cost_single_0_22;
+      slice3cost_column_0_23 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_23) +
+        slice3cost_pair_0_23 + slice3cost_single_0_23;
+      slice3cost_column_0_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_24) +
+        slice3cost_pair_0_24 + slice3cost_single_0_24;
+      slice3cost_column_1_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_0) +
+        slice3cost_pair_0_0 + slice3cost_single_3_0;
+      slice3cost_column_1_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_1) +
+        slice3cost_pair_0_1 + slice3cost_single_3_1;
+      slice3cost_column_1_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_2) +
+        slice3cost_pair_0_2 + slice3cost_single_3_2;
+      slice3cost_column_1_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_3) +
+        slice3cost_pair_0_3 + slice3cost_single_3_3;
+      slice3cost_column_1_4 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_4) +
+        slice3cost_pair_0_4 + slice3cost_single_3_4;
+      slice3cost_column_1_5 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_5) +
+        slice3cost_pair_0_5 + slice3cost_single_3_5;
+      slice3cost_column_1_6 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_6) +
+        slice3cost_pair_0_6 + slice3cost_single_3_6;
+      slice3cost_column_1_7 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_7) +
+        slice3cost_pair_0_7 + slice3cost_single_3_7;
+      slice3cost_column_1_8 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_8) +
+        slice3cost_pair_0_8 + slice3cost_single_3_8;
+      slice3cost_column_1_9 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_9) +
+        slice3cost_pair_0_9 + slice3cost_single_3_9;
+      slice3cost_column_1_10 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_10) +
+        slice3cost_pair_0_10 + slice3cost_single_3_10;
+      slice3cost_column_1_11 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_11) +
+        slice3cost_pair_0_11 + slice3cost_single_3_11;
+      slice3cost_column_1_12 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_12) +
+        slice3cost_pair_0_12 + slice3cost_single_3_12;
+      slice3cost_column_1_13 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_13) +
+        slice3cost_pair_0_13 + slice3cost_single_3_13;
+      slice3cost_column_1_14 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_14) +
+        slice3cost_pair_0_14 + slice3cost_single_3_14;
+      slice3cost_column_1_15 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_15) +
+        slice3cost_pair_0_15 + slice3cost_single_3_15;
+      slice3cost_column_1_16 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_16) +
+        slice3cost_pair_0_16 + slice3cost_single_3_16;
+      slice3cost_column_1_17 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_17) +
+        slice3cost_pair_0_17 + slice3cost_single_3_17;
+      slice3cost_column_1_18 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_18) +
+        slice3cost_pair_0_18 + slice3cost_single_3_18;
+      slice3cost_column_1_19 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_19) +
+        slice3cost_pair_0_19 + slice3cost_single_3_19;
+      slice3cost_column_1_20 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_20) +
+        slice3cost_pair_0_20 + slice3cost_single_3_20;
+      slice3cost_column_1_21 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_21) +
+        slice3cost_pair_0_21 + slice3cost_single_3_21;
+      slice3cost_column_1_22 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_22) +
+        slice3cost_pair_0_22 + slice3cost_single_3_22;
+      slice3cost_column_1_23 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_23) +
+        slice3cost_pair_0_23 + slice3cost_single_3_23;
+      slice3cost_column_1_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_24) +
+        slice3cost_pair_0_24 + slice3cost_single_3_24;
+      -- slice3window
+      if slice0winner2_tag_valid then
+        slice3window_partial_0_0_0 <= slice3cost_column_0_0;
+        slice3window_partial_0_0_1 <= slice3cost_column_0_1;
+        slice3window_partial_0_0_2 <= slice3cost_column_0_2;
+        slice3window_partial_0_0_3 <= slice3cost_column_0_3;
+        slice3window_partial_0_0_4 <= slice3cost_column_0_4;
+        slice3window_partial_0_0_5 <= slice3cost_column_0_5;
+        slice3window_partial_0_0_6 <= slice3cost_column_0_6;
+        slice3window_partial_0_0_7 <= slice3cost_column_0_7;
+        slice3window_partial_0_0_8 <= slice3cost_column_0_8;
+        slice3window_partial_0_0_9 <= slice3cost_column_0_9;
+        slice3window_partial_0_0_10 <= slice3cost_column_0_10;
+        slice3window_partial_0_0_11 <= slice3cost_column_0_11;
+        slice3window_partial_0_0_12 <= slice3cost_column_0_12;
+        slice3window_partial_0_0_13 <= slice3cost_column_0_13;
+        slice3window_partial_0_0_14 <= slice3cost_column_0_14;
+        slice3window_partial_0_0_15 <= slice3cost_column_0_15;
+        slice3window_partial_0_0_16 <= slice3cost_column_0_16;
+        slice3window_partial_0_0_17 <= slice3cost_column_0_17;
+        slice3window_partial_0_0_18 <= slice3cost_column_0_18;
+        slice3window_partial_0_0_19 <= slice3cost_column_0_19;
+        slice3window_partial_0_0_20 <= slice3cost_column_0_20;
+        slice3window_partial_0_0_21 <= slice3cost_column_0_21;
+        slice3window_partial_0_0_22 <= slice3cost_column_0_22;
+        slice3window_partial_0_0_23 <= slice3cost_column_0_23;
+        slice3window_partial_0_0_24 <= slice3cost_column_0_24;
+        slice3window_partial_0_1_0 <= slice3cost_column_0_0 + slice3window_partial_0_0_0;
+        slice3window_partial_0_1_1 <= slice3cost_column_0_1 + slice3window_partial_0_0_1;
+        slice3window_partial_0_1_2 <= slice3cost_column_0_2 + slice3window_partial_0_0_2;
+        slice3window_partial_0_1_3 <= slice3cost_column_0_3 + slice3window_partial_0_0_3;
+        slice3window_partial_0_1_4 <= slice3cost_column_0_4 + slice3window_partial_0_0_4;
+        slice3window_partial_0_1_5 <= slice3cost_column_0_5 + slice3window_partial_0_0_5;
+        slice3window_partial_0_1_6 <= slice3cost_column_0_6 + slice3window_partial_0_0_6;
+        slice3window_partial_0_1_7 <= slice3cost_column_0_7 + slice3window_partial_0_0_7;
+        slice3window_partial_0_1_8 <= slice3cost_column_0_8 + slice3window_partial_0_0_8;
+        slice3window_partial_0_1_9 <= slice3cost_column_0_9 + slice3window_partial_0_0_9;
+        slice3window_partial_0_1_10 <= slice3cost_column_0_10 + slice3window_partial_0_0_10;
+        slice3window_partial_0_1_11 <= slice3cost_column_0_11 + slice3window_partial_0_0_11;
+        slice3window_partial_0_1_12 <= slice3cost_column_0_12 + slice3window_partial_0_0_12;
+        slice3window_partial_0_1_13 <= slice3cost_column_0_13 + slice3window_partial_0_0_13;
+        slice3window_partial_0_1_14 <= slice3cost_column_0_14 + slice3window_partial_0_0_14;
+        slice3window_partial_0_1_15 <= slice3cost_column_0_15 + slice3window_partial_0_0_15;
+        slice3window_partial_0_1_16 <= slice3cost_column_0_16 + slice3window_partial_0_0_16;
+        slice3window_partial_0_1_17 <= slice3cost_column_0_17 + slice3window_partial_0_0_17;
+        slice3window_partial_0_1_18 <= slice3cost_column_0_18 + slice3window_partial_0_0_18;
+        slice3window_partial_0_1_19 <= slice3cost_column_0_19 + slice3window_partial_0_0_19;
+        slice3window_partial_0_1_20 <= slice3cost_column_0_20 + slice3window_partial_0_0_20;
+        slice3window_partial_0_1_21 <= slice3cost_column_0_21 + slice3window_partial_0_0_21;
+        slice3window_partial_0_1_22 <= slice3cost_column_0_22 + slice3window_partial_0_0_22;
+        slice3window_partial_0_1_23 <= slice3cost_column_0_23 + slice3window_partial_0_0_23;
+        slice3window_partial_0_1_24 <= slice3cost_column_0_24 + slice3window_partial_0_0_24;
+        slice3window_partial_1_0_0 <= slice3cost_column_1_0;
+        slice3window_partial_1_0_1 <= slice3cost_column_1_1;
+        slice3window_partial_1_0_2 <= slice3cost_column_1_2;
+        slice3window_partial_1_0_3 <= slice3cost_column_1_3;
+        slice3window_partial_1_0_4 <= slice3cost_column_1_4;
+        slice3window_partial_1_0_5 <= slice3cost_column_1_5;
+        slice3window_partial_1_0_6 <= slice3cost_column_1_6;
+        slice3window_partial_1_0_7 <= slice3cost_column_1_7;
+        slice3window_partial_1_0_8 <= slice3cost_column_1_8;
+        slice3window_partial_1_0_9 <= slice3cost_column_1_9;
+        slice3window_partial_1_0_10 <= slice3cost_column_1_10;
+        slice3window_partial_1_0_11 <= slice3cost_column_1_11;
+        slice3window_partial_1_0_12 <= slice3cost_column_1_12;
+        slice3window_partial_1_0_13 <= slice3cost_column_1_13;
+        slice3window_partial_1_0_14 <= slice3cost_column_1_14;
+        slice3window_partial_1_0_15 <= slice3cost_column_1_15;
+        slice3window_partial_1_0_16 <= slice3cost_column_1_16;
+        slice3window_partial_1_0_17 <= slice3cost_column_1_17;
+        slice3window_partial_1_0_18 <= slice3cost_column_1_18;
+        slice3window_partial_1_0_19 <= slice3cost_column_1_19;
+        slice3window_partial_1_0_20 <= slice3cost_column_1_20;
+        slice3window_partial_1_0_21 <= slice3cost_column_1_21;
+        slice3window_partial_1_0_22 <= slice3cost_column_1_22;
+        slice3window_partial_1_0_23 <= slice3cost_column_1_23;
+        slice3window_partial_1_0_24 <= slice3cost_column_1_24;
+        slice3window_partial_1_1_0 <= slice3cost_column_1_0 + slice3window_partial_1_0_0;
+        slice3window_partial_1_1_1 <= slice3cost_column_1_1 + slice3window_partial_1_0_1;
+        slice3window_partial_1_1_2 <= slice3cost_column_1_2 + slice3window_partial_1_0_2;
+        slice3window_partial_1_1_3 <= slice3cost_column_1_3 + slice3window_partial_1_0_3;
+        slice3window_partial_1_1_4 <= slice3cost_column_1_4 + slice3window_partial_1_0_4;
+        slice3window_partial_1_1_5 <= slice3cost_column_1_5 + slice3window_partial_1_0_5;
+        slice3window_partial_1_1_6 <= slice3cost_column_1_6 + slice3window_partial_1_0_6;
+        slice3window_partial_1_1_7 <= slice3cost_column_1_7 + slice3window_partial_1_0_7;
+        slice3window_partial_1_1_8 <= slice3cost_column_1_8 + slice3window_partial_1_0_8;
+        slice3window_partial_1_1_9 <= slice3cost_column_1_9 + slice3window_partial_1_0_9;
+        slice3window_partial_1_1_10 <= slice3cost_column_1_10 + slice3window_partial_1_0_10;
+        slice3window_partial_1_1_11 <= slice3cost_column_1_11 + slice3window_partial_1_0_11;
+        slice3window_partial_1_1_12 <= slice3cost_column_1_12 + slice3window_partial_1_0_12;
+        slice3window_partial_1_1_13 <= slice3cost_column_1_13 + slice3window_partial_1_0_13;
+        slice3window_partial_1_1_14 <= slice3cost_column_1_14 + slice3window_partial_1_0_14;
+        slice3window_partial_1_1_15 <= slice3cost_column_1_15 + slice3window_partial_1_0_15;
+        slice3window_partial_1_1_16 <= slice3cost_column_1_16 + slice3window_partial_1_0_16;
+        slice3window_partial_1_1_17 <= slice3cost_column_1_17 + slice3window_partial_1_0_17;
+        slice3window_partial_1_1_18 <= slice3cost_column_1_18 + slice3window_partial_1_0_18;
+        slice3window_partial_1_1_19 <= slice3cost_column_1_19 + slice3window_partial_1_0_19;
+        slice3window_partial_1_1_20 <= slice3cost_column_1_20 + slice3window_partial_1_0_20;
+        slice3window_partial_1_1_21 <= slice3cost_column_1_21 + slice3window_partial_1_0_21;
+        slice3window_partial_1_1_22 <= slice3cost_column_1_22 + slice3window_partial_1_0_22;
+        slice3window_partial_1_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_0_23;
+        slice3window_partial_1_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_0_24;
+      end if;
+      slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_1_0;
+      slice3window_sum_0_1 <= slice3cost_column_0_1 + slice3window_partial_0_1_1;
+      slice3window_sum_0_2 <= slice3cost_column_0_2 + slice3window_partial_0_1_2;
+      slice3window_sum_0_3 <= slice3cost_column_0_3 + slice3window_partial_0_1_3;
+      slice3window_sum_0_4 <= slice3cost_column_0_4 + slice3window_partial_0_1_4;
+      slice3window_sum_0_5 <= slice3cost_column_0_5 + slice3window_partial_0_1_5;
+      slice3window_sum_0_6 <= slice3cost_column_0_6 + slice3window_partial_0_1_6;
+      slice3window_sum_0_7 <= slice3cost_column_0_7 + slice3window_partial_0_1_7;
+      slice3window_sum_0_8 <= slice3cost_column_0_8 + slice3window_partial_0_1_8;
+      slice3window_sum_0_9 <= slice3cost_column_0_9 + slice3window_partial_0_1_9;
+      slice3window_sum_0_10 <= slice3cost_column_0_10 + slice3window_partial_0_1_10;
+      slice3window_sum_0_11 <= slice3cost_column_0_11 + slice3window_partial_0_1_11;
+      slice3window_sum_0_12 <= slice3cost_column_0_12 + slice3window_partial_0_1_12;
+      slice3window_sum_0_13 <= slice3cost_column_0_13 + slice3window_partial_0_1_13;
+      slice3window_sum_0_14 <= slice3cost_column_0_14 + slice3window_partial_0_1_14;
+      slice3window_sum_0_15 <= slice3cost_column_0_15 + slice3window_partial_0_1_15;
+      slice3window_sum_0_16 <= slice3cost_column_0_16 + slice3window_partial_0_1_16;
+      slice3window_sum_0_17 <= slice3cost_column_0_17 + slice3window_partial_0_1_17;
+      slice3window_sum_0_18 <= slice3cost_column_0_18 + slice3window_partial_0_1_18;
+      slice3window_sum_0_19 <= slice3cost_column_0_19 + slice3window_partial_0_1_19;
+      slice3window_sum_0_20 <= slice3cost_column_0_20 + slice3window_partial_0_1_20;
+      slice3window_sum_0_21 <= slice3cost_column_0_21 + slice3window_partial_0_1_21;
+      slice3window_sum_0_22 <= slice3cost_column_0_22 + slice3window_partial_0_1_22;
+      slice3window_sum_0_23 <= slice3cost_column_0_23 + slice3window_partial_0_1_23;
+      slice3window_sum_0_24 <= slice3cost_column_0_24 + slice3window_partial_0_1_24;
+      slice3window_sum_1_0 <= slice3cost_column_1_0 + slice3window_partial_1_1_0;
+      slice3window_sum_1_1 <= slice3cost_column_1_1 + slice3window_partial_1_1_1;
+      slice3window_sum_1_2 <= slice3cost_column_1_2 + slice3window_partial_1_1_2;
+      slice3window_sum_1_3 <= slice3cost_column_1_3 + slice3window_partial_1_1_3;
+      slice3window_sum_1_4 <= slice3cost_column_1_4 + slice3window_partial_1_1_4;
+      slice3window_sum_1_5 <= slice3cost_column_1_5 + slice3window_partial_1_1_5;
+      slice3window_sum_1_6 <= slice3cost_column_1_6 + slice3window_partial_1_1_6;
+      slice3window_sum_1_7 <= slice3cost_column_1_7 + slice3window_partial_1_1_7;
+      slice3window_sum_1_8 <= slice3cost_column_1_8 + slice3window_partial_1_1_8;
+      slice3window_sum_1_9 <= slice3cost_column_1_9 + slice3window_partial_1_1_9;
+      slice3window_sum_1_10 <= slice3cost_column_1_10 + slice3window_partial_1_1_10;
+      slice3window_sum_1_11 <= slice3cost_column_1_11 + slice3window_partial_1_1_11;
+      slice3window_sum_1_12 <= slice3cost_column_1_12 + slice3window_partial_1_1_12;
+      slice3window_sum_1_13 <= slice3cost_column_1_13 + slice3window_partial_1_1_13;
+      slice3window_sum_1_14 <= slice3cost_column_1_14 + slice3window_partial_1_1_14;
+      slice3window_sum_1_15 <= slice3cost_column_1_15 + slice3window_partial_1_1_15;
+      slice3window_sum_1_16 <= slice3cost_column_1_16 + slice3window_partial_1_1_16;
+      slice3window_sum_1_17 <= slice3cost_column_1_17 + slice3window_partial_1_1_17;
+      slice3window_sum_1_18 <= slice3cost_column_1_18 + slice3window_partial_1_1_18;
+      slice3window_sum_1_19 <= slice3cost_column_1_19 + slice3window_partial_1_1_19;
+      slice3window_sum_1_20 <= slice3cost_column_1_20 + slice3window_partial_1_1_20;
+      slice3window_sum_1_21 <= slice3cost_column_1_21 + slice3window_partial_1_1_21;
+      slice3window_sum_1_22 <= slice3cost_column_1_22 + slice3window_partial_1_1_22;
+      slice3window_sum_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_1_23;
+      slice3window_sum_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_1_24;
+      -- slice3winner1
+      slice3winner1_best_cost_0_0_is_less := slice3window_sum_0_1 < slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1_is_less := slice3window_sum_0_3 < slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2_is_less := slice3window_sum_0_5 < slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3_is_less := slice3window_sum_0_7 < slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4_is_less := slice3window_sum_0_9 < slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5_is_less := slice3window_sum_0_11 < slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6_is_less := slice3window_sum_0_13 < slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7_is_less := slice3window_sum_0_15 < slice3window_sum_0_14;
+      slice3winner1_best_cost_0_8_is_less := slice3window_sum_0_17 < slice3window_sum_0_16;
+      slice3winner1_best_cost_0_9_is_less := slice3window_sum_0_19 < slice3window_sum_0_18;
+      slice3winner1_best_cost_0_10_is_less := slice3window_sum_0_21 < slice3window_sum_0_20;
+      slice3winner1_best_cost_0_11_is_less := slice3window_sum_0_23 < slice3window_sum_0_22;
+      slice3winner1_best_cost_1_0_is_less := slice3window_sum_1_1 < slice3window_sum_1_0;
+      slice3winner1_best_cost_1_1_is_less := slice3window_sum_1_3 < slice3window_sum_1_2;
+      slice3winner1_best_cost_1_2_is_less := slice3window_sum_1_5 < slice3window_sum_1_4;
+      slice3winner1_best_cost_1_3_is_less := slice3window_sum_1_7 < slice3window_sum_1_6;
+      slice3winner1_best_cost_1_4_is_less := slice3window_sum_1_9 < slice3window_sum_1_8;
+      slice3winner1_best_cost_1_5_is_less := slice3window_sum_1_11 < slice3window_sum_1_10;
+      slice3winner1_best_cost_1_6_is_less := slice3window_sum_1_13 < slice3window_sum_1_12;
+      slice3winner1_best_cost_1_7_is_less := slice3window_sum_1_15 < slice3window_sum_1_14;
+      slice3winner1_best_cost_1_8_is_less := slice3window_sum_1_17 < slice3window_sum_1_16;
+      slice3winner1_best_cost_1_9_is_less := slice3window_sum_1_19 < slice3window_sum_1_18;
+      slice3winner1_best_cost_1_10_is_less := slice3window_sum_1_21 < slice3window_sum_1_20;
+      slice3winner1_best_cost_1_11_is_less := slice3window_sum_1_23 < slice3window_sum_1_22;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
+        slice3window_sum_0_0;
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
+        slice3window_sum_0_2;
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
+        slice3window_sum_0_4;
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
+        slice3window_sum_0_6;
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
+        slice3window_sum_0_8;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
+        slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
+        slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
+        slice3window_sum_0_14;
+      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
+        slice3window_sum_0_16;
+      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
+        slice3window_sum_0_18;
+      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
+        slice3window_sum_0_20;
+      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
+        slice3window_sum_0_22;
+      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
+      slice3winner1_best_cost_1_0 <= slice3window_sum_1_1 when slice3winner1_best_cost_1_0_is_less else
+        slice3window_sum_1_0;
+      slice3winner1_best_cost_1_1 <= slice3window_sum_1_3 when slice3winner1_best_cost_1_1_is_less else
+        slice3window_sum_1_2;
+      slice3winner1_best_cost_1_2 <= slice3window_sum_1_5 when slice3winner1_best_cost_1_2_is_less else
+        slice3window_sum_1_4;
+      slice3winner1_best_cost_1_3 <= slice3window_sum_1_7 when slice3winner1_best_cost_1_3_is_less else
+        slice3window_sum_1_6;
+      slice3winner1_best_cost_1_4 <= slice3window_sum_1_9 when slice3winner1_best_cost_1_4_is_less else
+        slice3window_sum_1_8;
+      slice3winner1_best_cost_1_5 <= slice3window_sum_1_11 when slice3winner1_best_cost_1_5_is_less else
+        slice3window_sum_1_10;
+      slice3winner1_best_cost_1_6 <= slice3window_sum_1_13 when slice3winner1_best_cost_1_6_is_less else
+        slice3window_sum_1_12;
+      slice3winner1_best_cost_1_7 <= slice3window_sum_1_15 when slice3winner1_best_cost_1_7_is_less else
+        slice3window_sum_1_14;
+      slice3winner1_best_cost_1_8 <= slice3window_sum_1_17 when slice3winner1_best_cost_1_8_is_less else
+        slice3window_sum_1_16;
+      slice3winner1_best_cost_1_9 <= slice3window_sum_1_19 when slice3winner1_best_cost_1_9_is_less else
+        slice3window_sum_1_18;
+      slice3winner1_best_cost_1_10 <= slice3window_sum_1_21 when slice3winner1_best_cost_1_10_is_less else
+        slice3window_sum_1_20;
+      slice3winner1_best_cost_1_11 <= slice3window_sum_1_23 when slice3winner1_best_cost_1_11_is_less else
+        slice3window_sum_1_22;
+      slice3winner1_best_cost_1_12 <= slice3window_sum_1_24;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
+      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
+      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
+      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
+      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
+      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
+      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
+      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
+      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
+      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
+      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
+      slice3winner1_best_index_1_0 <= slice3winner1_best_cost_1_0_is_less;
+      slice3winner1_best_index_1_1 <= 3 when slice3winner1_best_cost_1_1_is_less else 2;
+      slice3winner1_best_index_1_2 <= 5 when slice3winner1_best_cost_1_2_is_less else 4;
+      slice3winner1_best_index_1_3 <= 7 when slice3winner1_best_cost_1_3_is_less else 6;
+      slice3winner1_best_index_1_4 <= 9 when slice3winner1_best_cost_1_4_is_less else 8;
+      slice3winner1_best_index_1_5 <= 11 when slice3winner1_best_cost_1_5_is_less else 10;
+      slice3winner1_best_index_1_6 <= 13 when slice3winner1_best_cost_1_6_is_less else 12;
+      slice3winner1_best_index_1_7 <= 15 when slice3winner1_best_cost_1_7_is_less else 14;
+      slice3winner1_best_index_1_8 <= 17 when slice3winner1_best_cost_1_8_is_less else 16;
+      slice3winner1_best_index_1_9 <= 19 when slice3winner1_best_cost_1_9_is_less else 18;
+      slice3winner1_best_index_1_10 <= 21 when slice3winner1_best_cost_1_10_is_less else 20;
+      slice3winner1_best_index_1_11 <= 23 when slice3winner1_best_cost_1_11_is_less else 22;
+      -- slice3winner2
+      slice3winner2_best_cost_0_0_is_less := slice3winner1_best_cost_0_1 < slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1_is_less := slice3winner1_best_cost_0_3 < slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2_is_less := slice3winner1_best_cost_0_5 < slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3_is_less := slice3winner1_best_cost_0_7 < slice3winner1_best_cost_0_6;
+      slice3winner2_best_cost_0_4_is_less := slice3winner1_best_cost_0_9 < slice3winner1_best_cost_0_8;
+      slice3winner2_best_cost_0_5_is_less := slice3winner1_best_cost_0_11 < slice3winner1_best_cost_0_10;
+      slice3winner2_best_cost_1_0_is_less := slice3winner1_best_cost_1_1 < slice3winner1_best_cost_1_0;
+      slice3winner2_best_cost_1_1_is_less := slice3winner1_best_cost_1_3 < slice3winner1_best_cost_1_2;
+      slice3winner2_best_cost_1_2_is_less := slice3winner1_best_cost_1_5 < slice3winner1_best_cost_1_4;
+      slice3winner2_best_cost_1_3_is_less := slice3winner1_best_cost_1_7 < slice3winner1_best_cost_1_6;
+      slice3winner2_best_cost_1_4_is_less := slice3winner1_best_cost_1_9 < slice3winner1_best_cost_1_8;
+      slice3winner2_best_cost_1_5_is_less := slice3winner1_best_cost_1_11 < slice3winner1_best_cost_1_10;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
+        slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_cost_0_6;
+      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_cost_0_8;
+      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_cost_0_10;
+      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
+      slice3winner2_best_cost_1_0 <= slice3winner1_best_cost_1_1 when slice3winner2_best_cost_1_0_is_less else
+        slice3winner1_best_cost_1_0;
+      slice3winner2_best_cost_1_1 <= slice3winner1_best_cost_1_3 when slice3winner2_best_cost_1_1_is_less else
+        slice3winner1_best_cost_1_2;
+      slice3winner2_best_cost_1_2 <= slice3winner1_best_cost_1_5 when slice3winner2_best_cost_1_2_is_less else
+        slice3winner1_best_cost_1_4;
+      slice3winner2_best_cost_1_3 <= slice3winner1_best_cost_1_7 when slice3winner2_best_cost_1_3_is_less else
+        slice3winner1_best_cost_1_6;
+      slice3winner2_best_cost_1_4 <= slice3winner1_best_cost_1_9 when slice3winner2_best_cost_1_4_is_less else
+        slice3winner1_best_cost_1_8;
+      slice3winner2_best_cost_1_5 <= slice3winner1_best_cost_1_11 when slice3winner2_best_cost_1_5_is_less else
+        slice3winner1_best_cost_1_10;
+      slice3winner2_best_cost_1_6 <= slice3winner1_best_cost_1_12;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
+        as_number(slice3winner1_best_index_0_0);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
+        slice3winner1_best_index_0_2;
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
+        slice3winner1_best_index_0_4;
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
+        slice3winner1_best_index_0_6;
+      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
+        slice3winner1_best_index_0_8;
+      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
+        slice3winner1_best_index_0_10;
+      slice3winner2_best_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_best_cost_1_0_is_less else
+        as_number(slice3winner1_best_index_1_0);
+      slice3winner2_best_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_best_cost_1_1_is_less else
+        slice3winner1_best_index_1_2;
+      slice3winner2_best_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_best_cost_1_2_is_less else
+        slice3winner1_best_index_1_4;
+      slice3winner2_best_index_1_3 <= slice3winner1_best_index_1_7 when slice3winner2_best_cost_1_3_is_less else
+        slice3winner1_best_index_1_6;
+      slice3winner2_best_index_1_4 <= slice3winner1_best_index_1_9 when slice3winner2_best_cost_1_4_is_less else
+        slice3winner1_best_index_1_8;
+      slice3winner2_best_index_1_5 <= slice3winner1_best_index_1_11 when slice3winner2_best_cost_1_5_is_less else
+        slice3winner1_best_index_1_10;
+      -- slice3winner3
+      slice3winner3_best_cost_0_0_is_less := slice3winner2_best_cost_0_1 < slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1_is_less := slice3winner2_best_cost_0_3 < slice3winner2_best_cost_0_2;
+      slice3winner3_best_cost_0_2_is_less := slice3winner2_best_cost_0_5 < slice3winner2_best_cost_0_4;
+      slice3winner3_best_cost_1_0_is_less := slice3winner2_best_cost_1_1 < slice3winner2_best_cost_1_0;
+      slice3winner3_best_cost_1_1_is_less := slice3winner2_best_cost_1_3 < slice3winner2_best_cost_1_2;
+      slice3winner3_best_cost_1_2_is_less := slice3winner2_best_cost_1_5 < slice3winner2_best_cost_1_4;
+      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
+        slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_cost_0_2;
+      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_cost_0_4;
+      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
+      slice3winner3_best_cost_1_0 <= slice3winner2_best_cost_1_1 when slice3winner3_best_cost_1_0_is_less else
+        slice3winner2_best_cost_1_0;
+      slice3winner3_best_cost_1_1 <= slice3winner2_best_cost_1_3 when slice3winner3_best_cost_1_1_is_less else
+        slice3winner2_best_cost_1_2;
+      slice3winner3_best_cost_1_2 <= slice3winner2_best_cost_1_5 when slice3winner3_best_cost_1_2_is_less else
+        slice3winner2_best_cost_1_4;
+      slice3winner3_best_cost_1_3 <= slice3winner2_best_cost_1_6;
+      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
+        slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
+        slice3winner2_best_index_0_2;
+      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
+        slice3winner2_best_index_0_4;
+      slice3winner3_best_index_1_0 <= slice3winner2_best_index_1_1 when slice3winner3_best_cost_1_0_is_less else
+        slice3winner2_best_index_1_0;
+      slice3winner3_best_index_1_1 <= slice3winner2_best_index_1_3 when slice3winner3_best_cost_1_1_is_less else
+        slice3winner2_best_index_1_2;
+      slice3winner3_best_index_1_2 <= slice3winner2_best_index_1_5 when slice3winner3_best_cost_1_2_is_less else
+        slice3winner2_best_index_1_4;
+      -- slice3winner4
+      slice3winner4_best_cost_0_0_is_less := slice3winner3_best_cost_0_1 < slice3winner3_best_cost_0_0;
+      slice3winner4_best_cost_0_1_is_less := slice3winner3_best_cost_0_3 < slice3winner3_best_cost_0_2;
+      slice3winner4_best_cost_1_0_is_less := slice3winner3_best_cost_1_1 < slice3winner3_best_cost_1_0;
+      slice3winner4_best_cost_1_1_is_less := slice3winner3_best_cost_1_3 < slice3winner3_best_cost_1_2;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_cost_0_0;
+      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_cost_0_2;
+      slice3winner4_best_cost_1_0 <= slice3winner3_best_cost_1_1 when slice3winner4_best_cost_1_0_is_less else
+        slice3winner3_best_cost_1_0;
+      slice3winner4_best_cost_1_1 <= slice3winner3_best_cost_1_3 when slice3winner4_best_cost_1_1_is_less else
+        slice3winner3_best_cost_1_2;
+      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
+        slice3winner3_best_index_0_0;
+      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
+        slice3winner3_best_index_0_2;
+      slice3winner4_best_index_1_0 <= slice3winner3_best_index_1_1 when slice3winner4_best_cost_1_0_is_less else
+        slice3winner3_best_index_1_0;
+      slice3winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_1_1_is_less else
+        slice3winner3_best_index_1_2;
+      -- slice3winner5
+      slice3winner5_best_cost_0_0_is_less := slice3winner4_best_cost_0_1 < slice3winner4_best_cost_0_0;
+      slice3winner5_best_cost_1_0_is_less := slice3winner4_best_cost_1_1 < slice3winner4_best_cost_1_0;
+      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_cost_0_0;
+      slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1_1 when slice3winner5_best_cost_1_0_is_less else
+        slice3winner4_best_cost_1_0;
+      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
+        slice3winner4_best_index_0_0;
+      slice3winner5_best_index_1_0 <= slice3winner4_best_index_1_1 when slice3winner5_best_cost_1_0_is_less else
+        slice3winner4_best_index_1_0;
+      -- slice3
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice2_best_cost_0_0 < slice3winner5_best_cost_0_0 else
+        slice3winner5_best_index_0_0;
+      slice3_best_index_1_0 <= slice2_best_index_1_0 when slice2_best_cost_1_0 < slice3winner5_best_cost_1_0 else
+        slice3winner5_best_index_1_0;
+      slice3_best_tag_valid <= slice2_best_tag_valid;
+      slice3_best_tag_output_column <= slice2_best_tag_output_column;
+      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
+      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      if reset = '1' then
+        raster_features_start_of_frame <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 121;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0winner5_tag_valid <= false;
+        slice0winner5_tag_output_column <= false;
+        slice0winner5_tag_start_of_frame <= false;
+        slice0winner5_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+        slice3_best_tag_valid <= false;
+        slice3_best_tag_output_column <= false;
+        slice3_best_tag_start_of_frame <= false;
+        slice3_best_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;

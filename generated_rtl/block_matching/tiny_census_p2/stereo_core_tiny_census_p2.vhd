@@ -1,0 +1,7055 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration tiny_census_p2: 32x12, 8 disparities, window 3x3, 2 pixel pairs a clock.
+-- Options: disparities 8, cost census, census_width_px 7, census_height_px 3, slice_disparities 3.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_census_p2
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_census_p2 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 32;
+    height_px : positive := 12;
+    disparities : positive := 8;
+    pixels_per_clock : positive := 2;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 24;
+    latency_clocks : positive := 21;
+    flush_groups : positive := 67;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(15 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(15 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(1 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 32 report "stereo_core_tiny_census_p2: width_px is " & integer'image(width_px) & " but this core has 32" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_census_p2: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 8 report "stereo_core_tiny_census_p2: disparities is " & integer'image(disparities) & " but this core has 8" severity failure;
+  assert pixels_per_clock = 2 report "stereo_core_tiny_census_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_census_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 24 report "stereo_core_tiny_census_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
+  assert latency_clocks = 21 report "stereo_core_tiny_census_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert flush_groups = 67 report "stereo_core_tiny_census_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 67" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_census_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_census_p2 is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 65535;
+  signal in_left_pixel : natural range 0 to 65535;
+  -- transform
+  signal transform_left_0, transform_left_1, transform_right_0, transform_right_1 : natural range 0 to 255;
+  signal transform_left_rows_read_newest_0, transform_left_rows_read_newest_1 : natural range 0 to 255;
+  signal transform_left_rows_ready_newest_0, transform_left_rows_ready_newest_1 : natural range 0 to 255;
+  signal transform_right_rows_read_newest_0, transform_right_rows_read_newest_1 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0, transform_right_rows_ready_newest_1 : natural range 0 to 255;
+  signal transform_left_column_0, transform_left_column_1, transform_left_column_2 : natural range 0 to 255;
+  signal transform_left_column_3, transform_right_column_0, transform_right_column_1 : natural range 0 to 255;
+  signal transform_right_column_2, transform_right_column_3, transform_left_filter_column_0_0 : natural range 0 to 255;
+  signal transform_left_filter_column_0_1, transform_left_filter_column_0_2 : natural range 0 to 255;
+  signal transform_left_filter_column_0_3, transform_left_filter_column_1_0 : natural range 0 to 255;
+  signal transform_left_filter_column_1_1, transform_left_filter_column_1_2 : natural range 0 to 255;
+  signal transform_left_filter_column_1_3, transform_left_filter_column_2_0 : natural range 0 to 255;
+  signal transform_left_filter_column_2_1, transform_left_filter_column_2_2 : natural range 0 to 255;
+  signal transform_left_filter_column_2_3, transform_left_filter_column_3_0 : natural range 0 to 255;
+  signal transform_left_filter_column_3_1, transform_left_filter_column_3_2 : natural range 0 to 255;
+  signal transform_left_filter_column_3_3, transform_left_filter_column_4_0 : natural range 0 to 255;
+  signal transform_left_filter_column_4_1, transform_left_filter_column_4_2 : natural range 0 to 255;
+  signal transform_left_filter_column_4_3, transform_left_filter_column_5_0 : natural range 0 to 255;
+  signal transform_left_filter_column_5_1, transform_left_filter_column_5_2 : natural range 0 to 255;
+  signal transform_left_filter_column_5_3, transform_left_filter_column_6_0 : natural range 0 to 255;
+  signal transform_left_filter_column_6_1, transform_left_filter_column_6_2 : natural range 0 to 255;
+  signal transform_left_filter_column_6_3, transform_right_filter_column_0_0 : natural range 0 to 255;
+  signal transform_right_filter_column_0_1, transform_right_filter_column_0_2 : natural range 0 to 255;
+  signal transform_right_filter_column_0_3, transform_right_filter_column_1_0 : natural range 0 to 255;
+  signal transform_right_filter_column_1_1, transform_right_filter_column_1_2 : natural range 0 to 255;
+  signal transform_right_filter_column_1_3, transform_right_filter_column_2_0 : natural range 0 to 255;
+  signal transform_right_filter_column_2_1, transform_right_filter_column_2_2 : natural range 0 to 255;
+  signal transform_right_filter_column_2_3, transform_right_filter_column_3_0 : natural range 0 to 255;
+  signal transform_right_filter_column_3_1, transform_right_filter_column_3_2 : natural range 0 to 255;
+  signal transform_right_filter_column_3_3, transform_right_filter_column_4_0 : natural range 0 to 255;
+  signal transform_right_filter_column_4_1, transform_right_filter_column_4_2 : natural range 0 to 255;
+  signal transform_right_filter_column_4_3, transform_right_filter_column_5_0 : natural range 0 to 255;
+  signal transform_right_filter_column_5_1, transform_right_filter_column_5_2 : natural range 0 to 255;
+  signal transform_right_filter_column_5_3, transform_right_filter_column_6_0 : natural range 0 to 255;
+  signal transform_right_filter_column_6_1, transform_right_filter_column_6_2 : natural range 0 to 255;
+  signal transform_right_filter_column_6_3 : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
+  signal transform_read_row_inside_1, transform_read_row_inside_3, transform_read_column_inside_0 : boolean;
+  signal transform_read_column_inside_1, transform_read_column_inside_2, transform_read_column_inside_3 : boolean;
+  signal transform_read_column_inside_4, transform_read_column_inside_5, transform_read_column_inside_6 : boolean;
+  signal transform_read_start_of_frame, transform_read_valid, transform_ready_row_inside_0 : boolean;
+  signal transform_ready_row_inside_1, transform_ready_row_inside_3, transform_ready_column_inside_0 : boolean;
+  signal transform_ready_column_inside_1, transform_ready_column_inside_2, transform_ready_column_inside_3 : boolean;
+  signal transform_ready_column_inside_4, transform_ready_column_inside_5, transform_ready_column_inside_6 : boolean;
+  signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
+  signal transform_columns_row_inside_1, transform_columns_row_inside_3, transform_columns_column_inside_0 : boolean;
+  signal transform_columns_column_inside_1, transform_columns_column_inside_2 : boolean;
+  signal transform_columns_column_inside_3, transform_columns_column_inside_4 : boolean;
+  signal transform_columns_column_inside_5, transform_columns_column_inside_6 : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
+  signal transform_filtering_column_inside_1, transform_filtering_column_inside_2 : boolean;
+  signal transform_filtering_column_inside_3, transform_filtering_column_inside_4 : boolean;
+  signal transform_filtering_column_inside_5, transform_filtering_column_inside_6 : boolean;
+  signal transform_filtering_start_of_frame, transform_filtering_valid, transform_filtered_start_of_frame : boolean;
+  signal transform_filtered_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
+  signal transform_write_column : natural range 0 to 31;
+  signal transform_counter_group : natural range 0 to 7;
+  signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(23 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 16777215;
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 16777215;
+  signal transform_left_filter_feature_0, transform_left_filter_feature_1 : natural range 0 to 1048575;
+  signal transform_right_filter_feature_0, transform_right_filter_feature_1 : natural range 0 to 1048575;
+  -- raster
+  signal raster_features_search_0, raster_features_search_1, raster_features_reference_0 : natural range 0 to 1048575;
+  signal raster_features_reference_1 : natural range 0 to 1048575;
+  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 31;
+  signal raster_place_group : natural range 0 to 7;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 7;
+  signal delay_ahead_0, delay_ahead_1 : natural range 0 to 1048575;
+  signal delay_delayed_0, delay_delayed_1 : unsigned(19 downto 0);
+  signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_3, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_2, rows_reference_rows_read_words_0 : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(19 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 1048575;
+  signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 1048575;
+  signal rows_search_rows_ready_words_2, rows_search_rows_ready_newest_0 : natural range 0 to 1048575;
+  signal rows_search_rows_ready_newest_1, rows_search_rows_write_words_0 : natural range 0 to 1048575;
+  signal rows_search_rows_write_words_1, rows_search_rows_write_words_2 : natural range 0 to 1048575;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_read_newest_1 : natural range 0 to 1048575;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 1048575;
+  signal rows_reference_rows_ready_words_2, rows_reference_rows_ready_newest_0 : natural range 0 to 1048575;
+  signal rows_reference_rows_ready_newest_1, rows_reference_rows_write_words_0 : natural range 0 to 1048575;
+  signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : natural range 0 to 1048575;
+  signal rows_search_0, rows_search_1, rows_search_2, rows_search_3, rows_reference_0 : natural range 0 to 1048575;
+  signal rows_reference_1, rows_reference_2, rows_reference_3 : natural range 0 to 1048575;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_3, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_3 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 1048575;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 1048575;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 1048575;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 1048575;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 1048575;
+  signal slice0shift_reference_3, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 1048575;
+  signal slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 1048575;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0_count_0, slice0cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_2, slice0cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_4, slice0cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_0, slice0cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_2, slice0cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_4, slice0cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_0, slice0cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_2, slice0cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_4, slice0cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_0, slice0cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_2, slice0cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_0_count_4, slice0cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_0, slice0cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_2, slice0cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_1_count_4, slice0cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_0, slice0cost_pixels_first_1_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_2, slice0cost_pixels_first_1_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_1_2_count_4, slice0cost_pixels_first_1_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_0, slice0cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_2, slice0cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_0_count_4, slice0cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_0, slice0cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_2, slice0cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_1_count_4, slice0cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_0, slice0cost_pixels_first_2_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_2, slice0cost_pixels_first_2_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_2_2_count_4, slice0cost_pixels_first_2_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_0_count_0, slice0cost_pixels_first_3_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_0_count_2, slice0cost_pixels_first_3_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_0_count_4, slice0cost_pixels_first_3_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_1_count_0, slice0cost_pixels_first_3_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_1_count_2, slice0cost_pixels_first_3_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_1_count_4, slice0cost_pixels_first_3_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_2_count_0, slice0cost_pixels_first_3_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_2_count_2, slice0cost_pixels_first_3_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_3_2_count_4, slice0cost_pixels_first_3_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_6, slice0cost_pixels_first_0_1_count_6 : natural range 0 to 2;
+  signal slice0cost_pixels_first_0_2_count_6, slice0cost_pixels_first_1_0_count_6 : natural range 0 to 2;
+  signal slice0cost_pixels_first_1_1_count_6, slice0cost_pixels_first_1_2_count_6 : natural range 0 to 2;
+  signal slice0cost_pixels_first_2_0_count_6, slice0cost_pixels_first_2_1_count_6 : natural range 0 to 2;
+  signal slice0cost_pixels_first_2_2_count_6, slice0cost_pixels_first_3_0_count_6 : natural range 0 to 2;
+  signal slice0cost_pixels_first_3_1_count_6, slice0cost_pixels_first_3_2_count_6 : natural range 0 to 2;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_output_column : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 20;
+  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 20;
+  signal slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1, slice0cost_pixels_cost_2_2 : natural range 0 to 20;
+  signal slice0cost_pixels_cost_3_0, slice0cost_pixels_cost_3_1, slice0cost_pixels_cost_3_2 : natural range 0 to 20;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 60;
+  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 60;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 60;
+  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 60;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 120;
+  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 120;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 180;
+  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 180;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_1_0 : natural range 0 to 180;
+  signal slice0winner1_best_cost_1_1 : natural range 0 to 180;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 180;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 180;
+  signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 1048575;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 1048575;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 1048575;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 1048575;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 1048575;
+  signal slice1shift_reference_3, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 1048575;
+  signal slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 1048575;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0_count_0, slice1cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_2, slice1cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_4, slice1cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_0, slice1cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_2, slice1cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_4, slice1cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_0, slice1cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_2, slice1cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_4, slice1cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_0, slice1cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_2, slice1cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_0_count_4, slice1cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_0, slice1cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_2, slice1cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_1_count_4, slice1cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_0, slice1cost_pixels_first_1_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_2, slice1cost_pixels_first_1_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_1_2_count_4, slice1cost_pixels_first_1_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_0, slice1cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_2, slice1cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_0_count_4, slice1cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_0, slice1cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_2, slice1cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_1_count_4, slice1cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_0, slice1cost_pixels_first_2_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_2, slice1cost_pixels_first_2_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_2_2_count_4, slice1cost_pixels_first_2_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_0_count_0, slice1cost_pixels_first_3_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_0_count_2, slice1cost_pixels_first_3_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_0_count_4, slice1cost_pixels_first_3_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_1_count_0, slice1cost_pixels_first_3_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_1_count_2, slice1cost_pixels_first_3_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_1_count_4, slice1cost_pixels_first_3_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_2_count_0, slice1cost_pixels_first_3_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_2_count_2, slice1cost_pixels_first_3_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_3_2_count_4, slice1cost_pixels_first_3_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_6, slice1cost_pixels_first_0_1_count_6 : natural range 0 to 2;
+  signal slice1cost_pixels_first_0_2_count_6, slice1cost_pixels_first_1_0_count_6 : natural range 0 to 2;
+  signal slice1cost_pixels_first_1_1_count_6, slice1cost_pixels_first_1_2_count_6 : natural range 0 to 2;
+  signal slice1cost_pixels_first_2_0_count_6, slice1cost_pixels_first_2_1_count_6 : natural range 0 to 2;
+  signal slice1cost_pixels_first_2_2_count_6, slice1cost_pixels_first_3_0_count_6 : natural range 0 to 2;
+  signal slice1cost_pixels_first_3_1_count_6, slice1cost_pixels_first_3_2_count_6 : natural range 0 to 2;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 20;
+  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 20;
+  signal slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1, slice1cost_pixels_cost_2_2 : natural range 0 to 20;
+  signal slice1cost_pixels_cost_3_0, slice1cost_pixels_cost_3_1, slice1cost_pixels_cost_3_2 : natural range 0 to 20;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 60;
+  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 60;
+  signal slice1cost_tag_border_column : boolean;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 60;
+  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 60;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 120;
+  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 120;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 180;
+  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 180;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1, slice1winner1_best_cost_1_0 : natural range 0 to 180;
+  signal slice1winner1_best_cost_1_1 : natural range 0 to 180;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 180;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 180;
+  signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 1048575;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 1048575;
+  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_reference_0 : natural range 0 to 1048575;
+  signal slice2shift_reference_1, slice2shift_reference_2, slice2shift_reference_3 : natural range 0 to 1048575;
+  -- slice2cost
+  signal slice2cost_pixels_first_0_0_count_0, slice2cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_2, slice2cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_4, slice2cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_0, slice2cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_2, slice2cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_4, slice2cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_0, slice2cost_pixels_first_1_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_2, slice2cost_pixels_first_1_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_0_count_4, slice2cost_pixels_first_1_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_0, slice2cost_pixels_first_1_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_2, slice2cost_pixels_first_1_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_1_1_count_4, slice2cost_pixels_first_1_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_0, slice2cost_pixels_first_2_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_2, slice2cost_pixels_first_2_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_0_count_4, slice2cost_pixels_first_2_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_0, slice2cost_pixels_first_2_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_2, slice2cost_pixels_first_2_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_2_1_count_4, slice2cost_pixels_first_2_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_3_0_count_0, slice2cost_pixels_first_3_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_3_0_count_2, slice2cost_pixels_first_3_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_3_0_count_4, slice2cost_pixels_first_3_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_3_1_count_0, slice2cost_pixels_first_3_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_3_1_count_2, slice2cost_pixels_first_3_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_3_1_count_4, slice2cost_pixels_first_3_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_6, slice2cost_pixels_first_0_1_count_6 : natural range 0 to 2;
+  signal slice2cost_pixels_first_1_0_count_6, slice2cost_pixels_first_1_1_count_6 : natural range 0 to 2;
+  signal slice2cost_pixels_first_2_0_count_6, slice2cost_pixels_first_2_1_count_6 : natural range 0 to 2;
+  signal slice2cost_pixels_first_3_0_count_6, slice2cost_pixels_first_3_1_count_6 : natural range 0 to 2;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 20;
+  signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 20;
+  signal slice2cost_pixels_cost_3_0, slice2cost_pixels_cost_3_1 : natural range 0 to 20;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 60;
+  signal slice2cost_column_1_1 : natural range 0 to 60;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 60;
+  signal slice2window_partial_1_0_1 : natural range 0 to 60;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_1_1_0 : natural range 0 to 120;
+  signal slice2window_partial_1_1_1 : natural range 0 to 120;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 180;
+  signal slice2window_sum_1_1 : natural range 0 to 180;
+  -- slice2winner1
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 180;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 180;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2
+  signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
+  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal delay_delayed_1_memory_write_data : unsigned(19 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(19 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(3, 2));
+  disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
+
+  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 20);
+  rows_search_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 32, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_2,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 20);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 32, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 20);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 20);
+  rows_reference_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 32, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 20);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 32, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 20);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_1_memory_write_data <= to_unsigned(raster_features_reference_1, 20);
+  delay_delayed_1_memory : entity work.line_memory
+    generic map (depth => 8, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_1,
+      write_address => delay_ring_write_address, write_data => delay_delayed_1_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 20);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 20)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
+    variable transform_counter_group_is_equal_2, transform_counter_group_choice_2 : boolean;
+    variable transform_read_row_inside_0_value, transform_read_row_inside_0_any : boolean;
+    variable transform_read_row_inside_1_any, transform_read_column_inside_0_value : boolean;
+    variable transform_read_column_inside_0_value_2, transform_read_column_inside_1_is_equal : boolean;
+    variable transform_read_column_inside_1_all, transform_read_column_inside_1_is_equal_2 : boolean;
+    variable transform_read_column_inside_1_value, transform_read_column_inside_1_choice : boolean;
+    variable transform_read_column_inside_5_choice, transform_left_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
+    variable transform_left_filter_feature_0_value_2, transform_left_filter_feature_0_choice_3 : boolean;
+    variable transform_left_filter_feature_0_value_3, transform_left_filter_feature_0_choice_4 : boolean;
+    variable transform_left_filter_feature_0_value_4, transform_left_filter_feature_0_choice_5 : boolean;
+    variable transform_left_filter_feature_0_value_5, transform_left_filter_feature_0_choice_6 : boolean;
+    variable transform_left_filter_feature_0_value_6, transform_left_filter_feature_0_choice_7 : boolean;
+    variable transform_left_filter_feature_0_choice_8, transform_left_filter_feature_0_value_7 : boolean;
+    variable transform_left_filter_feature_0_choice_9, transform_left_filter_feature_0_choice_10 : boolean;
+    variable transform_left_filter_feature_0_choice_11, transform_left_filter_feature_0_choice_12 : boolean;
+    variable transform_left_filter_feature_0_choice_13, transform_left_filter_feature_0_choice_14 : boolean;
+    variable transform_left_filter_feature_0_choice_15, transform_left_filter_feature_0_choice_16 : boolean;
+    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_17 : boolean;
+    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
+    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
+    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
+    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_choice_25 : boolean;
+    variable transform_left_filter_feature_0_choice_26, transform_left_filter_feature_0_choice_27 : boolean;
+    variable transform_left_filter_feature_0_choice_28, transform_left_filter_feature_0_choice_29 : boolean;
+    variable transform_left_filter_feature_0_choice_30, transform_left_filter_feature_0_choice_31 : boolean;
+    variable transform_left_filter_feature_0_choice_32, transform_left_filter_feature_0_value_9 : boolean;
+    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
+    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
+    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
+    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
+    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_41 : boolean;
+    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
+    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
+    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
+    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
+    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_choice_51 : boolean;
+    variable transform_left_filter_feature_0_choice_52, transform_left_filter_feature_0_choice_53 : boolean;
+    variable transform_left_filter_feature_0_choice_54, transform_left_filter_feature_0_choice_55 : boolean;
+    variable transform_left_filter_feature_0_choice_56, transform_left_filter_feature_0_value_11 : boolean;
+    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
+    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
+    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
+    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
+    variable transform_left_filter_feature_0_value_12, transform_left_filter_feature_0_choice_65 : boolean;
+    variable transform_left_filter_feature_0_choice_66, transform_left_filter_feature_0_choice_67 : boolean;
+    variable transform_left_filter_feature_0_choice_68, transform_left_filter_feature_0_choice_69 : boolean;
+    variable transform_left_filter_feature_0_choice_70, transform_left_filter_feature_0_choice_71 : boolean;
+    variable transform_left_filter_feature_0_choice_72, transform_left_filter_feature_0_value_13 : boolean;
+    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
+    variable transform_left_filter_feature_0_value_14, transform_left_filter_feature_0_all : boolean;
+    variable transform_left_filter_feature_0_any_2, transform_left_filter_feature_0_choice_75 : boolean;
+    variable transform_left_filter_feature_0_value_15, transform_left_filter_feature_0_any_3 : boolean;
+    variable transform_left_filter_feature_0_all_2, transform_left_filter_feature_0_choice_76 : boolean;
+    variable transform_left_filter_feature_0_value_16, transform_left_filter_feature_0_any_4 : boolean;
+    variable transform_left_filter_feature_0_all_3, transform_left_filter_feature_0_choice_77 : boolean;
+    variable transform_left_filter_feature_0_value_17, transform_left_filter_feature_0_any_5 : boolean;
+    variable transform_left_filter_feature_0_all_4, transform_left_filter_feature_0_choice_78 : boolean;
+    variable transform_left_filter_feature_0_value_18, transform_left_filter_feature_0_any_6 : boolean;
+    variable transform_left_filter_feature_0_all_5, transform_left_filter_feature_0_choice_79 : boolean;
+    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
+    variable transform_left_filter_feature_0_value_19, transform_left_filter_feature_0_choice_82 : boolean;
+    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_value_20 : boolean;
+    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_value_21 : boolean;
+    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_value_22 : boolean;
+    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_value_23 : boolean;
+    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_value_24 : boolean;
+    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
+    variable transform_left_filter_feature_0_value_25, transform_left_filter_feature_0_choice_90 : boolean;
+    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_value_26 : boolean;
+    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_value_27 : boolean;
+    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_value_28 : boolean;
+    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_value_29 : boolean;
+    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_value_30 : boolean;
+    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
+    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
+    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
+    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_choice_103 : boolean;
+    variable transform_left_filter_feature_0_choice_104, transform_left_filter_feature_0_choice_105 : boolean;
+    variable transform_left_filter_feature_0_value_31, transform_left_filter_feature_0_choice_106 : boolean;
+    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_value_32 : boolean;
+    variable transform_left_filter_feature_0_choice_108, transform_left_filter_feature_0_value_33 : boolean;
+    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_value_34 : boolean;
+    variable transform_left_filter_feature_0_choice_110, transform_left_filter_feature_0_value_35 : boolean;
+    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_value_36 : boolean;
+    variable transform_left_filter_feature_0_choice_112, transform_left_filter_feature_0_choice_113 : boolean;
+    variable transform_left_filter_feature_0_value_37, transform_left_filter_feature_0_choice_114 : boolean;
+    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_value_38 : boolean;
+    variable transform_left_filter_feature_0_choice_116, transform_left_filter_feature_0_value_39 : boolean;
+    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_value_40 : boolean;
+    variable transform_left_filter_feature_0_choice_118, transform_left_filter_feature_0_value_41 : boolean;
+    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_value_42 : boolean;
+    variable transform_left_filter_feature_0_choice_120, transform_left_filter_feature_0_choice_121 : boolean;
+    variable transform_left_filter_feature_0_choice_122, transform_left_filter_feature_0_choice_123 : boolean;
+    variable transform_left_filter_feature_0_choice_124, transform_left_filter_feature_0_choice_125 : boolean;
+    variable transform_left_filter_feature_0_choice_126, transform_left_filter_feature_0_choice_127 : boolean;
+    variable transform_left_filter_feature_0_choice_128, transform_left_filter_feature_0_choice_129 : boolean;
+    variable transform_left_filter_feature_0_value_43, transform_left_filter_feature_0_choice_130 : boolean;
+    variable transform_left_filter_feature_0_choice_131, transform_left_filter_feature_0_value_44 : boolean;
+    variable transform_left_filter_feature_0_choice_132, transform_left_filter_feature_0_value_45 : boolean;
+    variable transform_left_filter_feature_0_choice_133, transform_left_filter_feature_0_value_46 : boolean;
+    variable transform_left_filter_feature_0_choice_134, transform_left_filter_feature_0_value_47 : boolean;
+    variable transform_left_filter_feature_0_choice_135, transform_left_filter_feature_0_value_48 : boolean;
+    variable transform_left_filter_feature_0_choice_136, transform_left_filter_feature_0_choice_137 : boolean;
+    variable transform_left_filter_feature_0_value_49, transform_left_filter_feature_0_choice_138 : boolean;
+    variable transform_left_filter_feature_0_choice_139, transform_left_filter_feature_0_value_50 : boolean;
+    variable transform_left_filter_feature_0_choice_140, transform_left_filter_feature_0_value_51 : boolean;
+    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_value_52 : boolean;
+    variable transform_left_filter_feature_0_choice_142, transform_left_filter_feature_0_value_53 : boolean;
+    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_value_54 : boolean;
+    variable transform_left_filter_feature_0_choice_144, transform_left_filter_feature_0_choice_145 : boolean;
+    variable transform_left_filter_feature_0_choice_146, transform_left_filter_feature_0_choice_147 : boolean;
+    variable transform_left_filter_feature_0_value_55, transform_left_filter_feature_0_choice_148 : boolean;
+    variable transform_left_filter_feature_0_value_56, transform_left_filter_feature_0_choice_149 : boolean;
+    variable transform_left_filter_feature_0_value_57, transform_left_filter_feature_0_choice_150 : boolean;
+    variable transform_left_filter_feature_0_value_58, transform_left_filter_feature_0_choice_151 : boolean;
+    variable transform_left_filter_feature_0_value_59, transform_left_filter_feature_0_choice_152 : boolean;
+    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_157 : boolean;
+    variable transform_left_filter_feature_0_choice_158, transform_left_filter_feature_0_choice_159 : boolean;
+    variable transform_left_filter_feature_0_choice_160, transform_left_filter_feature_0_choice_161 : boolean;
+    variable transform_left_filter_feature_0_choice_162, transform_left_filter_feature_0_choice_163 : boolean;
+    variable transform_left_filter_feature_0_choice_164, transform_left_filter_feature_1_any : boolean;
+    variable transform_left_filter_feature_1_choice, transform_left_filter_feature_1_is_equal : boolean;
+    variable transform_left_filter_feature_1_choice_2, transform_left_filter_feature_1_choice_3 : boolean;
+    variable transform_left_filter_feature_1_choice_4, transform_left_filter_feature_1_choice_5 : boolean;
+    variable transform_left_filter_feature_1_choice_6, transform_left_filter_feature_1_choice_7 : boolean;
+    variable transform_left_filter_feature_1_choice_8, transform_left_filter_feature_1_choice_9 : boolean;
+    variable transform_left_filter_feature_1_choice_10, transform_left_filter_feature_1_choice_11 : boolean;
+    variable transform_left_filter_feature_1_choice_12, transform_left_filter_feature_1_choice_13 : boolean;
+    variable transform_left_filter_feature_1_choice_14, transform_left_filter_feature_1_choice_15 : boolean;
+    variable transform_left_filter_feature_1_choice_16, transform_left_filter_feature_1_choice_17 : boolean;
+    variable transform_left_filter_feature_1_choice_18, transform_left_filter_feature_1_choice_19 : boolean;
+    variable transform_left_filter_feature_1_choice_20, transform_left_filter_feature_1_choice_21 : boolean;
+    variable transform_left_filter_feature_1_choice_22, transform_left_filter_feature_1_choice_23 : boolean;
+    variable transform_left_filter_feature_1_choice_24, transform_left_filter_feature_1_choice_25 : boolean;
+    variable transform_left_filter_feature_1_choice_26, transform_left_filter_feature_1_choice_27 : boolean;
+    variable transform_left_filter_feature_1_choice_28, transform_left_filter_feature_1_choice_29 : boolean;
+    variable transform_left_filter_feature_1_choice_30, transform_left_filter_feature_1_choice_31 : boolean;
+    variable transform_left_filter_feature_1_choice_32, transform_left_filter_feature_1_choice_33 : boolean;
+    variable transform_left_filter_feature_1_choice_34, transform_left_filter_feature_1_choice_35 : boolean;
+    variable transform_left_filter_feature_1_choice_36, transform_left_filter_feature_1_choice_37 : boolean;
+    variable transform_left_filter_feature_1_choice_38, transform_left_filter_feature_1_choice_39 : boolean;
+    variable transform_left_filter_feature_1_choice_40, transform_left_filter_feature_1_choice_41 : boolean;
+    variable transform_left_filter_feature_1_choice_42, transform_left_filter_feature_1_choice_43 : boolean;
+    variable transform_left_filter_feature_1_choice_44, transform_left_filter_feature_1_choice_45 : boolean;
+    variable transform_left_filter_feature_1_choice_46, transform_left_filter_feature_1_choice_47 : boolean;
+    variable transform_left_filter_feature_1_choice_48, transform_left_filter_feature_1_choice_49 : boolean;
+    variable transform_left_filter_feature_1_choice_50, transform_left_filter_feature_1_choice_51 : boolean;
+    variable transform_left_filter_feature_1_choice_52, transform_left_filter_feature_1_choice_53 : boolean;
+    variable transform_left_filter_feature_1_choice_54, transform_left_filter_feature_1_choice_55 : boolean;
+    variable transform_left_filter_feature_1_choice_56, transform_left_filter_feature_1_choice_57 : boolean;
+    variable transform_left_filter_feature_1_choice_58, transform_left_filter_feature_1_choice_59 : boolean;
+    variable transform_left_filter_feature_1_choice_60, transform_left_filter_feature_1_choice_61 : boolean;
+    variable transform_left_filter_feature_1_choice_62, transform_left_filter_feature_1_choice_63 : boolean;
+    variable transform_left_filter_feature_1_choice_64, transform_left_filter_feature_1_choice_65 : boolean;
+    variable transform_left_filter_feature_1_choice_66, transform_left_filter_feature_1_choice_67 : boolean;
+    variable transform_left_filter_feature_1_choice_68, transform_left_filter_feature_1_choice_69 : boolean;
+    variable transform_left_filter_feature_1_choice_70, transform_left_filter_feature_1_choice_71 : boolean;
+    variable transform_left_filter_feature_1_choice_72, transform_left_filter_feature_1_choice_73 : boolean;
+    variable transform_left_filter_feature_1_choice_74, transform_left_filter_feature_1_choice_75 : boolean;
+    variable transform_left_filter_feature_1_choice_76, transform_left_filter_feature_1_choice_77 : boolean;
+    variable transform_left_filter_feature_1_choice_78, transform_left_filter_feature_1_choice_79 : boolean;
+    variable transform_left_filter_feature_1_choice_80, transform_left_filter_feature_1_choice_81 : boolean;
+    variable transform_left_filter_feature_1_choice_82, transform_left_filter_feature_1_choice_83 : boolean;
+    variable transform_left_filter_feature_1_choice_84, transform_left_filter_feature_1_choice_85 : boolean;
+    variable transform_left_filter_feature_1_choice_86, transform_left_filter_feature_1_choice_87 : boolean;
+    variable transform_left_filter_feature_1_choice_88, transform_left_filter_feature_1_choice_89 : boolean;
+    variable transform_left_filter_feature_1_choice_90, transform_left_filter_feature_1_choice_91 : boolean;
+    variable transform_left_filter_feature_1_choice_92, transform_left_filter_feature_1_choice_93 : boolean;
+    variable transform_left_filter_feature_1_choice_94, transform_left_filter_feature_1_choice_95 : boolean;
+    variable transform_left_filter_feature_1_choice_96, transform_left_filter_feature_1_choice_97 : boolean;
+    variable transform_left_filter_feature_1_choice_98, transform_left_filter_feature_1_choice_99 : boolean;
+    variable transform_left_filter_feature_1_choice_100, transform_left_filter_feature_1_choice_101 : boolean;
+    variable transform_left_filter_feature_1_choice_102, transform_left_filter_feature_1_choice_103 : boolean;
+    variable transform_left_filter_feature_1_choice_104, transform_left_filter_feature_1_choice_105 : boolean;
+    variable transform_left_filter_feature_1_choice_106, transform_left_filter_feature_1_choice_107 : boolean;
+    variable transform_left_filter_feature_1_choice_108, transform_left_filter_feature_1_choice_109 : boolean;
+    variable transform_left_filter_feature_1_choice_110, transform_left_filter_feature_1_choice_111 : boolean;
+    variable transform_left_filter_feature_1_choice_112, transform_left_filter_feature_1_choice_113 : boolean;
+    variable transform_left_filter_feature_1_choice_114, transform_left_filter_feature_1_choice_115 : boolean;
+    variable transform_left_filter_feature_1_choice_116, transform_left_filter_feature_1_choice_117 : boolean;
+    variable transform_left_filter_feature_1_choice_118, transform_left_filter_feature_1_choice_119 : boolean;
+    variable transform_left_filter_feature_1_choice_120, transform_left_filter_feature_1_choice_121 : boolean;
+    variable transform_left_filter_feature_1_choice_122, transform_left_filter_feature_1_choice_123 : boolean;
+    variable transform_left_filter_feature_1_choice_124, transform_left_filter_feature_1_choice_125 : boolean;
+    variable transform_left_filter_feature_1_choice_126, transform_left_filter_feature_1_choice_127 : boolean;
+    variable transform_left_filter_feature_1_choice_128, transform_left_filter_feature_1_choice_129 : boolean;
+    variable transform_left_filter_feature_1_choice_130, transform_left_filter_feature_1_choice_131 : boolean;
+    variable transform_left_filter_feature_1_choice_132, transform_left_filter_feature_1_choice_133 : boolean;
+    variable transform_left_filter_feature_1_choice_134, transform_left_filter_feature_1_choice_135 : boolean;
+    variable transform_left_filter_feature_1_choice_136, transform_left_filter_feature_1_choice_137 : boolean;
+    variable transform_left_filter_feature_1_choice_138, transform_left_filter_feature_1_choice_139 : boolean;
+    variable transform_left_filter_feature_1_choice_140, transform_left_filter_feature_1_choice_141 : boolean;
+    variable transform_left_filter_feature_1_choice_142, transform_left_filter_feature_1_choice_143 : boolean;
+    variable transform_left_filter_feature_1_choice_144, transform_left_filter_feature_1_choice_145 : boolean;
+    variable transform_left_filter_feature_1_choice_146, transform_left_filter_feature_1_choice_147 : boolean;
+    variable transform_left_filter_feature_1_choice_148, transform_left_filter_feature_1_choice_149 : boolean;
+    variable transform_left_filter_feature_1_choice_150, transform_left_filter_feature_1_choice_151 : boolean;
+    variable transform_left_filter_feature_1_choice_152, transform_left_filter_feature_1_choice_153 : boolean;
+    variable transform_left_filter_feature_1_choice_157, transform_left_filter_feature_1_choice_158 : boolean;
+    variable transform_left_filter_feature_1_choice_159, transform_left_filter_feature_1_choice_160 : boolean;
+    variable transform_left_filter_feature_1_choice_161, transform_left_filter_feature_1_choice_162 : boolean;
+    variable transform_left_filter_feature_1_choice_163, transform_left_filter_feature_1_choice_164 : boolean;
+    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_right_filter_feature_0_choice_2, transform_right_filter_feature_0_value_2 : boolean;
+    variable transform_right_filter_feature_0_choice_3, transform_right_filter_feature_0_value_3 : boolean;
+    variable transform_right_filter_feature_0_choice_4, transform_right_filter_feature_0_value_4 : boolean;
+    variable transform_right_filter_feature_0_choice_5, transform_right_filter_feature_0_value_5 : boolean;
+    variable transform_right_filter_feature_0_choice_6, transform_right_filter_feature_0_value_6 : boolean;
+    variable transform_right_filter_feature_0_choice_7, transform_right_filter_feature_0_choice_8 : boolean;
+    variable transform_right_filter_feature_0_value_7, transform_right_filter_feature_0_choice_9 : boolean;
+    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
+    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
+    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
+    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_value_8 : boolean;
+    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
+    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
+    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
+    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
+    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
+    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
+    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_choice_30 : boolean;
+    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_choice_32 : boolean;
+    variable transform_right_filter_feature_0_value_9, transform_right_filter_feature_0_choice_33 : boolean;
+    variable transform_right_filter_feature_0_choice_34, transform_right_filter_feature_0_choice_35 : boolean;
+    variable transform_right_filter_feature_0_choice_36, transform_right_filter_feature_0_choice_37 : boolean;
+    variable transform_right_filter_feature_0_choice_38, transform_right_filter_feature_0_choice_39 : boolean;
+    variable transform_right_filter_feature_0_choice_40, transform_right_filter_feature_0_value_10 : boolean;
+    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
+    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
+    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
+    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
+    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
+    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_choice_52 : boolean;
+    variable transform_right_filter_feature_0_choice_53, transform_right_filter_feature_0_choice_54 : boolean;
+    variable transform_right_filter_feature_0_choice_55, transform_right_filter_feature_0_choice_56 : boolean;
+    variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_57 : boolean;
+    variable transform_right_filter_feature_0_choice_58, transform_right_filter_feature_0_choice_59 : boolean;
+    variable transform_right_filter_feature_0_choice_60, transform_right_filter_feature_0_choice_61 : boolean;
+    variable transform_right_filter_feature_0_choice_62, transform_right_filter_feature_0_choice_63 : boolean;
+    variable transform_right_filter_feature_0_choice_64, transform_right_filter_feature_0_value_12 : boolean;
+    variable transform_right_filter_feature_0_choice_65, transform_right_filter_feature_0_choice_66 : boolean;
+    variable transform_right_filter_feature_0_choice_67, transform_right_filter_feature_0_choice_68 : boolean;
+    variable transform_right_filter_feature_0_choice_69, transform_right_filter_feature_0_choice_70 : boolean;
+    variable transform_right_filter_feature_0_choice_71, transform_right_filter_feature_0_choice_72 : boolean;
+    variable transform_right_filter_feature_0_value_13, transform_right_filter_feature_0_choice_73 : boolean;
+    variable transform_right_filter_feature_0_choice_74, transform_right_filter_feature_0_value_14 : boolean;
+    variable transform_right_filter_feature_0_all, transform_right_filter_feature_0_any_2 : boolean;
+    variable transform_right_filter_feature_0_choice_75, transform_right_filter_feature_0_value_15 : boolean;
+    variable transform_right_filter_feature_0_any_3, transform_right_filter_feature_0_all_2 : boolean;
+    variable transform_right_filter_feature_0_choice_76, transform_right_filter_feature_0_value_16 : boolean;
+    variable transform_right_filter_feature_0_any_4, transform_right_filter_feature_0_all_3 : boolean;
+    variable transform_right_filter_feature_0_choice_77, transform_right_filter_feature_0_value_17 : boolean;
+    variable transform_right_filter_feature_0_any_5, transform_right_filter_feature_0_all_4 : boolean;
+    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_value_18 : boolean;
+    variable transform_right_filter_feature_0_any_6, transform_right_filter_feature_0_all_5 : boolean;
+    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
+    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_value_19 : boolean;
+    variable transform_right_filter_feature_0_choice_82, transform_right_filter_feature_0_choice_83 : boolean;
+    variable transform_right_filter_feature_0_value_20, transform_right_filter_feature_0_choice_84 : boolean;
+    variable transform_right_filter_feature_0_value_21, transform_right_filter_feature_0_choice_85 : boolean;
+    variable transform_right_filter_feature_0_value_22, transform_right_filter_feature_0_choice_86 : boolean;
+    variable transform_right_filter_feature_0_value_23, transform_right_filter_feature_0_choice_87 : boolean;
+    variable transform_right_filter_feature_0_value_24, transform_right_filter_feature_0_choice_88 : boolean;
+    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_value_25 : boolean;
+    variable transform_right_filter_feature_0_choice_90, transform_right_filter_feature_0_choice_91 : boolean;
+    variable transform_right_filter_feature_0_value_26, transform_right_filter_feature_0_choice_92 : boolean;
+    variable transform_right_filter_feature_0_value_27, transform_right_filter_feature_0_choice_93 : boolean;
+    variable transform_right_filter_feature_0_value_28, transform_right_filter_feature_0_choice_94 : boolean;
+    variable transform_right_filter_feature_0_value_29, transform_right_filter_feature_0_choice_95 : boolean;
+    variable transform_right_filter_feature_0_value_30, transform_right_filter_feature_0_choice_96 : boolean;
+    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
+    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
+    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
+    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
+    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_value_31 : boolean;
+    variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
+    variable transform_right_filter_feature_0_value_32, transform_right_filter_feature_0_choice_108 : boolean;
+    variable transform_right_filter_feature_0_value_33, transform_right_filter_feature_0_choice_109 : boolean;
+    variable transform_right_filter_feature_0_value_34, transform_right_filter_feature_0_choice_110 : boolean;
+    variable transform_right_filter_feature_0_value_35, transform_right_filter_feature_0_choice_111 : boolean;
+    variable transform_right_filter_feature_0_value_36, transform_right_filter_feature_0_choice_112 : boolean;
+    variable transform_right_filter_feature_0_choice_113, transform_right_filter_feature_0_value_37 : boolean;
+    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
+    variable transform_right_filter_feature_0_value_38, transform_right_filter_feature_0_choice_116 : boolean;
+    variable transform_right_filter_feature_0_value_39, transform_right_filter_feature_0_choice_117 : boolean;
+    variable transform_right_filter_feature_0_value_40, transform_right_filter_feature_0_choice_118 : boolean;
+    variable transform_right_filter_feature_0_value_41, transform_right_filter_feature_0_choice_119 : boolean;
+    variable transform_right_filter_feature_0_value_42, transform_right_filter_feature_0_choice_120 : boolean;
+    variable transform_right_filter_feature_0_choice_121, transform_right_filter_feature_0_choice_122 : boolean;
+    variable transform_right_filter_feature_0_choice_123, transform_right_filter_feature_0_choice_124 : boolean;
+    variable transform_right_filter_feature_0_choice_125, transform_right_filter_feature_0_choice_126 : boolean;
+    variable transform_right_filter_feature_0_choice_127, transform_right_filter_feature_0_choice_128 : boolean;
+    variable transform_right_filter_feature_0_choice_129, transform_right_filter_feature_0_value_43 : boolean;
+    variable transform_right_filter_feature_0_choice_130, transform_right_filter_feature_0_choice_131 : boolean;
+    variable transform_right_filter_feature_0_value_44, transform_right_filter_feature_0_choice_132 : boolean;
+    variable transform_right_filter_feature_0_value_45, transform_right_filter_feature_0_choice_133 : boolean;
+    variable transform_right_filter_feature_0_value_46, transform_right_filter_feature_0_choice_134 : boolean;
+    variable transform_right_filter_feature_0_value_47, transform_right_filter_feature_0_choice_135 : boolean;
+    variable transform_right_filter_feature_0_value_48, transform_right_filter_feature_0_choice_136 : boolean;
+    variable transform_right_filter_feature_0_choice_137, transform_right_filter_feature_0_value_49 : boolean;
+    variable transform_right_filter_feature_0_choice_138, transform_right_filter_feature_0_choice_139 : boolean;
+    variable transform_right_filter_feature_0_value_50, transform_right_filter_feature_0_choice_140 : boolean;
+    variable transform_right_filter_feature_0_value_51, transform_right_filter_feature_0_choice_141 : boolean;
+    variable transform_right_filter_feature_0_value_52, transform_right_filter_feature_0_choice_142 : boolean;
+    variable transform_right_filter_feature_0_value_53, transform_right_filter_feature_0_choice_143 : boolean;
+    variable transform_right_filter_feature_0_value_54, transform_right_filter_feature_0_choice_144 : boolean;
+    variable transform_right_filter_feature_0_choice_145, transform_right_filter_feature_0_choice_146 : boolean;
+    variable transform_right_filter_feature_0_choice_147, transform_right_filter_feature_0_value_55 : boolean;
+    variable transform_right_filter_feature_0_choice_148, transform_right_filter_feature_0_value_56 : boolean;
+    variable transform_right_filter_feature_0_choice_149, transform_right_filter_feature_0_value_57 : boolean;
+    variable transform_right_filter_feature_0_choice_150, transform_right_filter_feature_0_value_58 : boolean;
+    variable transform_right_filter_feature_0_choice_151, transform_right_filter_feature_0_value_59 : boolean;
+    variable transform_right_filter_feature_0_choice_152, transform_right_filter_feature_0_choice_153 : boolean;
+    variable transform_right_filter_feature_0_choice_157, transform_right_filter_feature_0_choice_158 : boolean;
+    variable transform_right_filter_feature_0_choice_159, transform_right_filter_feature_0_choice_160 : boolean;
+    variable transform_right_filter_feature_0_choice_161, transform_right_filter_feature_0_choice_162 : boolean;
+    variable transform_right_filter_feature_0_choice_163, transform_right_filter_feature_0_choice_164 : boolean;
+    variable transform_right_filter_feature_1_any, transform_right_filter_feature_1_choice : boolean;
+    variable transform_right_filter_feature_1_is_equal, transform_right_filter_feature_1_choice_2 : boolean;
+    variable transform_right_filter_feature_1_choice_3, transform_right_filter_feature_1_choice_4 : boolean;
+    variable transform_right_filter_feature_1_choice_5, transform_right_filter_feature_1_choice_6 : boolean;
+    variable transform_right_filter_feature_1_choice_7, transform_right_filter_feature_1_choice_8 : boolean;
+    variable transform_right_filter_feature_1_choice_9, transform_right_filter_feature_1_choice_10 : boolean;
+    variable transform_right_filter_feature_1_choice_11, transform_right_filter_feature_1_choice_12 : boolean;
+    variable transform_right_filter_feature_1_choice_13, transform_right_filter_feature_1_choice_14 : boolean;
+    variable transform_right_filter_feature_1_choice_15, transform_right_filter_feature_1_choice_16 : boolean;
+    variable transform_right_filter_feature_1_choice_17, transform_right_filter_feature_1_choice_18 : boolean;
+    variable transform_right_filter_feature_1_choice_19, transform_right_filter_feature_1_choice_20 : boolean;
+    variable transform_right_filter_feature_1_choice_21, transform_right_filter_feature_1_choice_22 : boolean;
+    variable transform_right_filter_feature_1_choice_23, transform_right_filter_feature_1_choice_24 : boolean;
+    variable transform_right_filter_feature_1_choice_25, transform_right_filter_feature_1_choice_26 : boolean;
+    variable transform_right_filter_feature_1_choice_27, transform_right_filter_feature_1_choice_28 : boolean;
+    variable transform_right_filter_feature_1_choice_29, transform_right_filter_feature_1_choice_30 : boolean;
+    variable transform_right_filter_feature_1_choice_31, transform_right_filter_feature_1_choice_32 : boolean;
+    variable transform_right_filter_feature_1_choice_33, transform_right_filter_feature_1_choice_34 : boolean;
+    variable transform_right_filter_feature_1_choice_35, transform_right_filter_feature_1_choice_36 : boolean;
+    variable transform_right_filter_feature_1_choice_37, transform_right_filter_feature_1_choice_38 : boolean;
+    variable transform_right_filter_feature_1_choice_39, transform_right_filter_feature_1_choice_40 : boolean;
+    variable transform_right_filter_feature_1_choice_41, transform_right_filter_feature_1_choice_42 : boolean;
+    variable transform_right_filter_feature_1_choice_43, transform_right_filter_feature_1_choice_44 : boolean;
+    variable transform_right_filter_feature_1_choice_45, transform_right_filter_feature_1_choice_46 : boolean;
+    variable transform_right_filter_feature_1_choice_47, transform_right_filter_feature_1_choice_48 : boolean;
+    variable transform_right_filter_feature_1_choice_49, transform_right_filter_feature_1_choice_50 : boolean;
+    variable transform_right_filter_feature_1_choice_51, transform_right_filter_feature_1_choice_52 : boolean;
+    variable transform_right_filter_feature_1_choice_53, transform_right_filter_feature_1_choice_54 : boolean;
+    variable transform_right_filter_feature_1_choice_55, transform_right_filter_feature_1_choice_56 : boolean;
+    variable transform_right_filter_feature_1_choice_57, transform_right_filter_feature_1_choice_58 : boolean;
+    variable transform_right_filter_feature_1_choice_59, transform_right_filter_feature_1_choice_60 : boolean;
+    variable transform_right_filter_feature_1_choice_61, transform_right_filter_feature_1_choice_62 : boolean;
+    variable transform_right_filter_feature_1_choice_63, transform_right_filter_feature_1_choice_64 : boolean;
+    variable transform_right_filter_feature_1_choice_65, transform_right_filter_feature_1_choice_66 : boolean;
+    variable transform_right_filter_feature_1_choice_67, transform_right_filter_feature_1_choice_68 : boolean;
+    variable transform_right_filter_feature_1_choice_69, transform_right_filter_feature_1_choice_70 : boolean;
+    variable transform_right_filter_feature_1_choice_71, transform_right_filter_feature_1_choice_72 : boolean;
+    variable transform_right_filter_feature_1_choice_73, transform_right_filter_feature_1_choice_74 : boolean;
+    variable transform_right_filter_feature_1_choice_75, transform_right_filter_feature_1_choice_76 : boolean;
+    variable transform_right_filter_feature_1_choice_77, transform_right_filter_feature_1_choice_78 : boolean;
+    variable transform_right_filter_feature_1_choice_79, transform_right_filter_feature_1_choice_80 : boolean;
+    variable transform_right_filter_feature_1_choice_81, transform_right_filter_feature_1_choice_82 : boolean;
+    variable transform_right_filter_feature_1_choice_83, transform_right_filter_feature_1_choice_84 : boolean;
+    variable transform_right_filter_feature_1_choice_85, transform_right_filter_feature_1_choice_86 : boolean;
+    variable transform_right_filter_feature_1_choice_87, transform_right_filter_feature_1_choice_88 : boolean;
+    variable transform_right_filter_feature_1_choice_89, transform_right_filter_feature_1_choice_90 : boolean;
+    variable transform_right_filter_feature_1_choice_91, transform_right_filter_feature_1_choice_92 : boolean;
+    variable transform_right_filter_feature_1_choice_93, transform_right_filter_feature_1_choice_94 : boolean;
+    variable transform_right_filter_feature_1_choice_95, transform_right_filter_feature_1_choice_96 : boolean;
+    variable transform_right_filter_feature_1_choice_97, transform_right_filter_feature_1_choice_98 : boolean;
+    variable transform_right_filter_feature_1_choice_99, transform_right_filter_feature_1_choice_100 : boolean;
+    variable transform_right_filter_feature_1_choice_101, transform_right_filter_feature_1_choice_102 : boolean;
+    variable transform_right_filter_feature_1_choice_103, transform_right_filter_feature_1_choice_104 : boolean;
+    variable transform_right_filter_feature_1_choice_105, transform_right_filter_feature_1_choice_106 : boolean;
+    variable transform_right_filter_feature_1_choice_107, transform_right_filter_feature_1_choice_108 : boolean;
+    variable transform_right_filter_feature_1_choice_109, transform_right_filter_feature_1_choice_110 : boolean;
+    variable transform_right_filter_feature_1_choice_111, transform_right_filter_feature_1_choice_112 : boolean;
+    variable transform_right_filter_feature_1_choice_113, transform_right_filter_feature_1_choice_114 : boolean;
+    variable transform_right_filter_feature_1_choice_115, transform_right_filter_feature_1_choice_116 : boolean;
+    variable transform_right_filter_feature_1_choice_117, transform_right_filter_feature_1_choice_118 : boolean;
+    variable transform_right_filter_feature_1_choice_119, transform_right_filter_feature_1_choice_120 : boolean;
+    variable transform_right_filter_feature_1_choice_121, transform_right_filter_feature_1_choice_122 : boolean;
+    variable transform_right_filter_feature_1_choice_123, transform_right_filter_feature_1_choice_124 : boolean;
+    variable transform_right_filter_feature_1_choice_125, transform_right_filter_feature_1_choice_126 : boolean;
+    variable transform_right_filter_feature_1_choice_127, transform_right_filter_feature_1_choice_128 : boolean;
+    variable transform_right_filter_feature_1_choice_129, transform_right_filter_feature_1_choice_130 : boolean;
+    variable transform_right_filter_feature_1_choice_131, transform_right_filter_feature_1_choice_132 : boolean;
+    variable transform_right_filter_feature_1_choice_133, transform_right_filter_feature_1_choice_134 : boolean;
+    variable transform_right_filter_feature_1_choice_135, transform_right_filter_feature_1_choice_136 : boolean;
+    variable transform_right_filter_feature_1_choice_137, transform_right_filter_feature_1_choice_138 : boolean;
+    variable transform_right_filter_feature_1_choice_139, transform_right_filter_feature_1_choice_140 : boolean;
+    variable transform_right_filter_feature_1_choice_141, transform_right_filter_feature_1_choice_142 : boolean;
+    variable transform_right_filter_feature_1_choice_143, transform_right_filter_feature_1_choice_144 : boolean;
+    variable transform_right_filter_feature_1_choice_145, transform_right_filter_feature_1_choice_146 : boolean;
+    variable transform_right_filter_feature_1_choice_147, transform_right_filter_feature_1_choice_148 : boolean;
+    variable transform_right_filter_feature_1_choice_149, transform_right_filter_feature_1_choice_150 : boolean;
+    variable transform_right_filter_feature_1_choice_151, transform_right_filter_feature_1_choice_152 : boolean;
+    variable transform_right_filter_feature_1_choice_153, transform_right_filter_feature_1_choice_157 : boolean;
+    variable transform_right_filter_feature_1_choice_158, transform_right_filter_feature_1_choice_159 : boolean;
+    variable transform_right_filter_feature_1_choice_160, transform_right_filter_feature_1_choice_161 : boolean;
+    variable transform_right_filter_feature_1_choice_162, transform_right_filter_feature_1_choice_163 : boolean;
+    variable transform_right_filter_feature_1_choice_164, transform_counter_next_frame_is_equal : boolean;
+    variable transform_counter_next_frame_all, transform_counter_next_frame_is_equal_2 : boolean;
+    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
+    variable raster_features_start_of_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
+    variable delay_row_inside_1_any, slice0cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_0_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value_3, slice0cost_pixels_first_0_0_count_0_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_choice_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_1_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_choice_2, slice0cost_pixels_first_0_0_count_1_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_6, slice0cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_choice, slice0cost_pixels_first_0_0_count_2_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_4, slice0cost_pixels_first_0_0_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value, slice0cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_choice, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_4, slice0cost_pixels_first_0_0_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_5, slice0cost_pixels_first_0_0_count_3_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_choice_3, slice0cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_2, slice0cost_pixels_first_0_0_count_4_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_4_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_choice_2, slice0cost_pixels_first_0_0_count_4_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_6, slice0cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value, slice0cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_choice, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_4, slice0cost_pixels_first_0_0_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_5, slice0cost_pixels_first_0_0_count_5_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_choice_3, slice0cost_pixels_first_0_0_count_6_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_choice_2, slice0cost_pixels_first_0_1_count_0_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_0_choice_2, slice0cost_pixels_first_0_1_count_1_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_1_choice_2, slice0cost_pixels_first_0_1_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_2_choice, slice0cost_pixels_first_0_1_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_3_choice, slice0cost_pixels_first_0_1_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_3_choice_3, slice0cost_pixels_first_0_1_count_4_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_4_choice_2, slice0cost_pixels_first_0_1_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_5_choice, slice0cost_pixels_first_0_1_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_5_choice_3, slice0cost_pixels_first_0_1_count_6_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_6_choice_2, slice0cost_pixels_first_0_2_count_0_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_0_choice_2, slice0cost_pixels_first_0_2_count_1_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_1_choice_2, slice0cost_pixels_first_0_2_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_2_choice, slice0cost_pixels_first_0_2_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_3_choice, slice0cost_pixels_first_0_2_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_3_choice_3, slice0cost_pixels_first_0_2_count_4_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_4_choice_2, slice0cost_pixels_first_0_2_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_5_choice, slice0cost_pixels_first_0_2_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_5_choice_3, slice0cost_pixels_first_0_2_count_6_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_6_choice_2, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_0_choice : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_3, slice0cost_pixels_first_1_0_count_0_value_4 : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_choice_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_choice : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_1_value_4 : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_choice_2, slice0cost_pixels_first_1_0_count_1_value_5 : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_6, slice0cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_choice, slice0cost_pixels_first_1_0_count_2_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value_4, slice0cost_pixels_first_1_0_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_choice, slice0cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_4, slice0cost_pixels_first_1_0_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_5, slice0cost_pixels_first_1_0_count_3_value_6 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_choice_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_choice : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_3, slice0cost_pixels_first_1_0_count_4_value_4 : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_choice_2, slice0cost_pixels_first_1_0_count_4_value_5 : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_6, slice0cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_choice, slice0cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_4, slice0cost_pixels_first_1_0_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_5, slice0cost_pixels_first_1_0_count_5_value_6 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_choice_3, slice0cost_pixels_first_1_0_count_6_choice : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_choice_2, slice0cost_pixels_first_1_1_count_0_choice : boolean;
+    variable slice0cost_pixels_first_1_1_count_0_choice_2, slice0cost_pixels_first_1_1_count_1_choice : boolean;
+    variable slice0cost_pixels_first_1_1_count_1_choice_2, slice0cost_pixels_first_1_1_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_1_count_2_choice, slice0cost_pixels_first_1_1_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_1_count_3_choice, slice0cost_pixels_first_1_1_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_1_count_3_choice_3, slice0cost_pixels_first_1_1_count_4_choice : boolean;
+    variable slice0cost_pixels_first_1_1_count_4_choice_2, slice0cost_pixels_first_1_1_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_1_count_5_choice, slice0cost_pixels_first_1_1_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_1_count_5_choice_3, slice0cost_pixels_first_1_1_count_6_choice : boolean;
+    variable slice0cost_pixels_first_1_1_count_6_choice_2, slice0cost_pixels_first_1_2_count_0_choice : boolean;
+    variable slice0cost_pixels_first_1_2_count_0_choice_2, slice0cost_pixels_first_1_2_count_1_choice : boolean;
+    variable slice0cost_pixels_first_1_2_count_1_choice_2, slice0cost_pixels_first_1_2_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_2_count_2_choice, slice0cost_pixels_first_1_2_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_2_count_3_choice, slice0cost_pixels_first_1_2_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_2_count_3_choice_3, slice0cost_pixels_first_1_2_count_4_choice : boolean;
+    variable slice0cost_pixels_first_1_2_count_4_choice_2, slice0cost_pixels_first_1_2_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_2_count_5_choice, slice0cost_pixels_first_1_2_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_1_2_count_5_choice_3, slice0cost_pixels_first_1_2_count_6_choice : boolean;
+    variable slice0cost_pixels_first_1_2_count_6_choice_2, slice0cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value_2, slice0cost_pixels_first_2_0_count_0_choice : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value_3, slice0cost_pixels_first_2_0_count_0_value_4 : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_choice_2, slice0cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_2, slice0cost_pixels_first_2_0_count_1_choice : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_1_value_4 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_choice_2, slice0cost_pixels_first_2_0_count_1_value_5 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_6, slice0cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value, slice0cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_choice, slice0cost_pixels_first_2_0_count_2_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_4, slice0cost_pixels_first_2_0_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value, slice0cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_choice, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_4, slice0cost_pixels_first_2_0_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_5, slice0cost_pixels_first_2_0_count_3_value_6 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_choice_3, slice0cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_2, slice0cost_pixels_first_2_0_count_4_choice : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_4_value_4 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_choice_2, slice0cost_pixels_first_2_0_count_4_value_5 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_6, slice0cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value, slice0cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_choice, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_4, slice0cost_pixels_first_2_0_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_5, slice0cost_pixels_first_2_0_count_5_value_6 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_choice_3, slice0cost_pixels_first_2_0_count_6_choice : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_choice_2, slice0cost_pixels_first_2_1_count_0_choice : boolean;
+    variable slice0cost_pixels_first_2_1_count_0_choice_2, slice0cost_pixels_first_2_1_count_1_choice : boolean;
+    variable slice0cost_pixels_first_2_1_count_1_choice_2, slice0cost_pixels_first_2_1_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_1_count_2_choice, slice0cost_pixels_first_2_1_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_1_count_3_choice, slice0cost_pixels_first_2_1_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_1_count_3_choice_3, slice0cost_pixels_first_2_1_count_4_choice : boolean;
+    variable slice0cost_pixels_first_2_1_count_4_choice_2, slice0cost_pixels_first_2_1_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_1_count_5_choice, slice0cost_pixels_first_2_1_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_1_count_5_choice_3, slice0cost_pixels_first_2_1_count_6_choice : boolean;
+    variable slice0cost_pixels_first_2_1_count_6_choice_2, slice0cost_pixels_first_2_2_count_0_choice : boolean;
+    variable slice0cost_pixels_first_2_2_count_0_choice_2, slice0cost_pixels_first_2_2_count_1_choice : boolean;
+    variable slice0cost_pixels_first_2_2_count_1_choice_2, slice0cost_pixels_first_2_2_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_2_count_2_choice, slice0cost_pixels_first_2_2_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_2_count_3_choice, slice0cost_pixels_first_2_2_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_2_count_3_choice_3, slice0cost_pixels_first_2_2_count_4_choice : boolean;
+    variable slice0cost_pixels_first_2_2_count_4_choice_2, slice0cost_pixels_first_2_2_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_2_count_5_choice, slice0cost_pixels_first_2_2_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_2_2_count_5_choice_3, slice0cost_pixels_first_2_2_count_6_choice : boolean;
+    variable slice0cost_pixels_first_2_2_count_6_choice_2, slice0cost_pixels_first_3_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_3_0_count_0_value_2, slice0cost_pixels_first_3_0_count_0_choice : boolean;
+    variable slice0cost_pixels_first_3_0_count_0_value_3, slice0cost_pixels_first_3_0_count_0_value_4 : boolean;
+    variable slice0cost_pixels_first_3_0_count_0_choice_2, slice0cost_pixels_first_3_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_3_0_count_1_value_2, slice0cost_pixels_first_3_0_count_1_choice : boolean;
+    variable slice0cost_pixels_first_3_0_count_1_value_3, slice0cost_pixels_first_3_0_count_1_value_4 : boolean;
+    variable slice0cost_pixels_first_3_0_count_1_choice_2, slice0cost_pixels_first_3_0_count_1_value_5 : boolean;
+    variable slice0cost_pixels_first_3_0_count_1_value_6, slice0cost_pixels_first_3_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_3_0_count_2_value, slice0cost_pixels_first_3_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_2_choice, slice0cost_pixels_first_3_0_count_2_value_3 : boolean;
+    variable slice0cost_pixels_first_3_0_count_2_value_4, slice0cost_pixels_first_3_0_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_3_value, slice0cost_pixels_first_3_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_3_choice, slice0cost_pixels_first_3_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_3_0_count_3_value_4, slice0cost_pixels_first_3_0_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_3_value_5, slice0cost_pixels_first_3_0_count_3_value_6 : boolean;
+    variable slice0cost_pixels_first_3_0_count_3_choice_3, slice0cost_pixels_first_3_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_3_0_count_4_value_2, slice0cost_pixels_first_3_0_count_4_choice : boolean;
+    variable slice0cost_pixels_first_3_0_count_4_value_3, slice0cost_pixels_first_3_0_count_4_value_4 : boolean;
+    variable slice0cost_pixels_first_3_0_count_4_choice_2, slice0cost_pixels_first_3_0_count_4_value_5 : boolean;
+    variable slice0cost_pixels_first_3_0_count_4_value_6, slice0cost_pixels_first_3_0_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_3_0_count_5_value, slice0cost_pixels_first_3_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_5_choice, slice0cost_pixels_first_3_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_3_0_count_5_value_4, slice0cost_pixels_first_3_0_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_5_value_5, slice0cost_pixels_first_3_0_count_5_value_6 : boolean;
+    variable slice0cost_pixels_first_3_0_count_5_choice_3, slice0cost_pixels_first_3_0_count_6_choice : boolean;
+    variable slice0cost_pixels_first_3_0_count_6_value, slice0cost_pixels_first_3_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_3_0_count_6_choice_2, slice0cost_pixels_first_3_1_count_0_choice : boolean;
+    variable slice0cost_pixels_first_3_1_count_0_choice_2, slice0cost_pixels_first_3_1_count_1_choice : boolean;
+    variable slice0cost_pixels_first_3_1_count_1_choice_2, slice0cost_pixels_first_3_1_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_3_1_count_2_choice, slice0cost_pixels_first_3_1_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_1_count_3_choice, slice0cost_pixels_first_3_1_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_1_count_3_choice_3, slice0cost_pixels_first_3_1_count_4_choice : boolean;
+    variable slice0cost_pixels_first_3_1_count_4_choice_2, slice0cost_pixels_first_3_1_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_3_1_count_5_choice, slice0cost_pixels_first_3_1_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_1_count_5_choice_3, slice0cost_pixels_first_3_1_count_6_choice : boolean;
+    variable slice0cost_pixels_first_3_1_count_6_choice_2, slice0cost_pixels_first_3_2_count_0_choice : boolean;
+    variable slice0cost_pixels_first_3_2_count_0_choice_2, slice0cost_pixels_first_3_2_count_1_choice : boolean;
+    variable slice0cost_pixels_first_3_2_count_1_choice_2, slice0cost_pixels_first_3_2_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_3_2_count_2_choice, slice0cost_pixels_first_3_2_count_2_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_2_count_3_choice, slice0cost_pixels_first_3_2_count_3_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_2_count_3_choice_3, slice0cost_pixels_first_3_2_count_4_choice : boolean;
+    variable slice0cost_pixels_first_3_2_count_4_choice_2, slice0cost_pixels_first_3_2_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_3_2_count_5_choice, slice0cost_pixels_first_3_2_count_5_choice_2 : boolean;
+    variable slice0cost_pixels_first_3_2_count_5_choice_3, slice0cost_pixels_first_3_2_count_6_choice : boolean;
+    variable slice0cost_pixels_first_3_2_count_6_choice_2, slice0winner1_best_index_0_0_choice : boolean;
+    variable slice0winner1_best_index_0_0_choice_2, slice0winner1_best_index_0_0_value : boolean;
+    variable slice0winner1_best_index_0_0_choice_3, slice0winner1_best_index_0_0_value_2 : boolean;
+    variable slice0winner1_best_index_0_0_choice_4, slice0winner1_best_index_0_0_value_3 : boolean;
+    variable slice0winner1_best_index_0_0_choice_5, slice0winner1_best_index_0_0_value_4 : boolean;
+    variable slice0winner1_best_index_0_0_choice_6, slice0winner1_best_index_0_0_value_5 : boolean;
+    variable slice0winner1_best_index_0_0_choice_7, slice0winner1_best_index_1_0_choice : boolean;
+    variable slice0winner1_best_index_1_0_choice_2, slice0winner1_best_index_1_0_value : boolean;
+    variable slice0winner1_best_index_1_0_choice_3, slice0winner1_best_index_1_0_value_2 : boolean;
+    variable slice0winner1_best_index_1_0_choice_4, slice0winner1_best_index_1_0_value_3 : boolean;
+    variable slice0winner1_best_index_1_0_choice_5, slice0winner1_best_index_1_0_value_4 : boolean;
+    variable slice0winner1_best_index_1_0_choice_6, slice0winner1_best_index_1_0_value_5 : boolean;
+    variable slice0winner1_best_index_1_0_choice_7, slice0winner2_best_index_0_0_choice : boolean;
+    variable slice0winner2_best_index_0_0_choice_2, slice0winner2_best_index_0_0_value : boolean;
+    variable slice0winner2_best_index_0_0_choice_3, slice0winner2_best_index_0_0_value_2 : boolean;
+    variable slice0winner2_best_index_0_0_choice_4, slice0winner2_best_index_0_0_value_3 : boolean;
+    variable slice0winner2_best_index_0_0_choice_5, slice0winner2_best_index_0_0_value_4 : boolean;
+    variable slice0winner2_best_index_0_0_choice_6, slice0winner2_best_index_0_0_value_5 : boolean;
+    variable slice0winner2_best_index_0_0_choice_7, slice0winner2_best_index_0_0_choice_8 : boolean;
+    variable slice0winner2_best_index_1_0_choice, slice0winner2_best_index_1_0_choice_2 : boolean;
+    variable slice0winner2_best_index_1_0_value, slice0winner2_best_index_1_0_choice_3 : boolean;
+    variable slice0winner2_best_index_1_0_value_2, slice0winner2_best_index_1_0_choice_4 : boolean;
+    variable slice0winner2_best_index_1_0_value_3, slice0winner2_best_index_1_0_choice_5 : boolean;
+    variable slice0winner2_best_index_1_0_value_4, slice0winner2_best_index_1_0_choice_6 : boolean;
+    variable slice0winner2_best_index_1_0_value_5, slice0winner2_best_index_1_0_choice_7 : boolean;
+    variable slice0winner2_best_index_1_0_choice_8, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_0_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_3, slice1cost_pixels_first_0_0_count_0_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_choice_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_1_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_choice_2, slice1cost_pixels_first_0_0_count_1_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_6, slice1cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_choice, slice1cost_pixels_first_0_0_count_2_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value_4, slice1cost_pixels_first_0_0_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_choice, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_4, slice1cost_pixels_first_0_0_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_5, slice1cost_pixels_first_0_0_count_3_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_choice_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_4_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_choice_2, slice1cost_pixels_first_0_0_count_4_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_6, slice1cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_choice, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_4, slice1cost_pixels_first_0_0_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_5, slice1cost_pixels_first_0_0_count_5_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_choice_3, slice1cost_pixels_first_0_0_count_6_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_choice_2, slice1cost_pixels_first_0_1_count_0_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_0_choice_2, slice1cost_pixels_first_0_1_count_1_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_1_choice_2, slice1cost_pixels_first_0_1_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_2_choice, slice1cost_pixels_first_0_1_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_3_choice, slice1cost_pixels_first_0_1_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_3_choice_3, slice1cost_pixels_first_0_1_count_4_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_4_choice_2, slice1cost_pixels_first_0_1_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_5_choice, slice1cost_pixels_first_0_1_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_5_choice_3, slice1cost_pixels_first_0_1_count_6_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_6_choice_2, slice1cost_pixels_first_0_2_count_0_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_0_choice_2, slice1cost_pixels_first_0_2_count_1_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_1_choice_2, slice1cost_pixels_first_0_2_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_2_choice, slice1cost_pixels_first_0_2_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_3_choice, slice1cost_pixels_first_0_2_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_3_choice_3, slice1cost_pixels_first_0_2_count_4_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_4_choice_2, slice1cost_pixels_first_0_2_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_5_choice, slice1cost_pixels_first_0_2_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_5_choice_3, slice1cost_pixels_first_0_2_count_6_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_6_choice_2, slice1cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_0_choice : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value_3, slice1cost_pixels_first_1_0_count_0_value_4 : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_choice_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_choice : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_1_value_4 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_choice_2, slice1cost_pixels_first_1_0_count_1_value_5 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_6, slice1cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_choice, slice1cost_pixels_first_1_0_count_2_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value_4, slice1cost_pixels_first_1_0_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_choice, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_4, slice1cost_pixels_first_1_0_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_5, slice1cost_pixels_first_1_0_count_3_value_6 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_choice_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_choice : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_4_value_4 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_choice_2, slice1cost_pixels_first_1_0_count_4_value_5 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_6, slice1cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_choice, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_4, slice1cost_pixels_first_1_0_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_5, slice1cost_pixels_first_1_0_count_5_value_6 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_choice_3, slice1cost_pixels_first_1_0_count_6_choice : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_choice_2, slice1cost_pixels_first_1_1_count_0_choice : boolean;
+    variable slice1cost_pixels_first_1_1_count_0_choice_2, slice1cost_pixels_first_1_1_count_1_choice : boolean;
+    variable slice1cost_pixels_first_1_1_count_1_choice_2, slice1cost_pixels_first_1_1_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_1_count_2_choice, slice1cost_pixels_first_1_1_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_1_count_3_choice, slice1cost_pixels_first_1_1_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_1_count_3_choice_3, slice1cost_pixels_first_1_1_count_4_choice : boolean;
+    variable slice1cost_pixels_first_1_1_count_4_choice_2, slice1cost_pixels_first_1_1_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_1_count_5_choice, slice1cost_pixels_first_1_1_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_1_count_5_choice_3, slice1cost_pixels_first_1_1_count_6_choice : boolean;
+    variable slice1cost_pixels_first_1_1_count_6_choice_2, slice1cost_pixels_first_1_2_count_0_choice : boolean;
+    variable slice1cost_pixels_first_1_2_count_0_choice_2, slice1cost_pixels_first_1_2_count_1_choice : boolean;
+    variable slice1cost_pixels_first_1_2_count_1_choice_2, slice1cost_pixels_first_1_2_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_2_count_2_choice, slice1cost_pixels_first_1_2_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_2_count_3_choice, slice1cost_pixels_first_1_2_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_2_count_3_choice_3, slice1cost_pixels_first_1_2_count_4_choice : boolean;
+    variable slice1cost_pixels_first_1_2_count_4_choice_2, slice1cost_pixels_first_1_2_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_2_count_5_choice, slice1cost_pixels_first_1_2_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_1_2_count_5_choice_3, slice1cost_pixels_first_1_2_count_6_choice : boolean;
+    variable slice1cost_pixels_first_1_2_count_6_choice_2, slice1cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_0_choice : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_3, slice1cost_pixels_first_2_0_count_0_value_4 : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_choice_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_choice : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_1_value_4 : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_choice_2, slice1cost_pixels_first_2_0_count_1_value_5 : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_6, slice1cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_value, slice1cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_choice, slice1cost_pixels_first_2_0_count_2_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_value_4, slice1cost_pixels_first_2_0_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value, slice1cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_choice, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_4, slice1cost_pixels_first_2_0_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_5, slice1cost_pixels_first_2_0_count_3_value_6 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_choice_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_choice : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_3, slice1cost_pixels_first_2_0_count_4_value_4 : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_choice_2, slice1cost_pixels_first_2_0_count_4_value_5 : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_6, slice1cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value, slice1cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_choice, slice1cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_4, slice1cost_pixels_first_2_0_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_5, slice1cost_pixels_first_2_0_count_5_value_6 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_choice_3, slice1cost_pixels_first_2_0_count_6_choice : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value, slice1cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_choice_2, slice1cost_pixels_first_2_1_count_0_choice : boolean;
+    variable slice1cost_pixels_first_2_1_count_0_choice_2, slice1cost_pixels_first_2_1_count_1_choice : boolean;
+    variable slice1cost_pixels_first_2_1_count_1_choice_2, slice1cost_pixels_first_2_1_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_1_count_2_choice, slice1cost_pixels_first_2_1_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_1_count_3_choice, slice1cost_pixels_first_2_1_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_1_count_3_choice_3, slice1cost_pixels_first_2_1_count_4_choice : boolean;
+    variable slice1cost_pixels_first_2_1_count_4_choice_2, slice1cost_pixels_first_2_1_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_1_count_5_choice, slice1cost_pixels_first_2_1_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_1_count_5_choice_3, slice1cost_pixels_first_2_1_count_6_choice : boolean;
+    variable slice1cost_pixels_first_2_1_count_6_choice_2, slice1cost_pixels_first_2_2_count_0_choice : boolean;
+    variable slice1cost_pixels_first_2_2_count_0_choice_2, slice1cost_pixels_first_2_2_count_1_choice : boolean;
+    variable slice1cost_pixels_first_2_2_count_1_choice_2, slice1cost_pixels_first_2_2_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_2_count_2_choice, slice1cost_pixels_first_2_2_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_2_count_3_choice, slice1cost_pixels_first_2_2_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_2_count_3_choice_3, slice1cost_pixels_first_2_2_count_4_choice : boolean;
+    variable slice1cost_pixels_first_2_2_count_4_choice_2, slice1cost_pixels_first_2_2_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_2_count_5_choice, slice1cost_pixels_first_2_2_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_2_2_count_5_choice_3, slice1cost_pixels_first_2_2_count_6_choice : boolean;
+    variable slice1cost_pixels_first_2_2_count_6_choice_2, slice1cost_pixels_first_3_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_3_0_count_0_value_2, slice1cost_pixels_first_3_0_count_0_choice : boolean;
+    variable slice1cost_pixels_first_3_0_count_0_value_3, slice1cost_pixels_first_3_0_count_0_value_4 : boolean;
+    variable slice1cost_pixels_first_3_0_count_0_choice_2, slice1cost_pixels_first_3_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_3_0_count_1_value_2, slice1cost_pixels_first_3_0_count_1_choice : boolean;
+    variable slice1cost_pixels_first_3_0_count_1_value_3, slice1cost_pixels_first_3_0_count_1_value_4 : boolean;
+    variable slice1cost_pixels_first_3_0_count_1_choice_2, slice1cost_pixels_first_3_0_count_1_value_5 : boolean;
+    variable slice1cost_pixels_first_3_0_count_1_value_6, slice1cost_pixels_first_3_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_3_0_count_2_value, slice1cost_pixels_first_3_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_2_choice, slice1cost_pixels_first_3_0_count_2_value_3 : boolean;
+    variable slice1cost_pixels_first_3_0_count_2_value_4, slice1cost_pixels_first_3_0_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_3_value, slice1cost_pixels_first_3_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_3_choice, slice1cost_pixels_first_3_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_3_0_count_3_value_4, slice1cost_pixels_first_3_0_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_3_value_5, slice1cost_pixels_first_3_0_count_3_value_6 : boolean;
+    variable slice1cost_pixels_first_3_0_count_3_choice_3, slice1cost_pixels_first_3_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_3_0_count_4_value_2, slice1cost_pixels_first_3_0_count_4_choice : boolean;
+    variable slice1cost_pixels_first_3_0_count_4_value_3, slice1cost_pixels_first_3_0_count_4_value_4 : boolean;
+    variable slice1cost_pixels_first_3_0_count_4_choice_2, slice1cost_pixels_first_3_0_count_4_value_5 : boolean;
+    variable slice1cost_pixels_first_3_0_count_4_value_6, slice1cost_pixels_first_3_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_3_0_count_5_value, slice1cost_pixels_first_3_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_5_choice, slice1cost_pixels_first_3_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_3_0_count_5_value_4, slice1cost_pixels_first_3_0_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_5_value_5, slice1cost_pixels_first_3_0_count_5_value_6 : boolean;
+    variable slice1cost_pixels_first_3_0_count_5_choice_3, slice1cost_pixels_first_3_0_count_6_choice : boolean;
+    variable slice1cost_pixels_first_3_0_count_6_value, slice1cost_pixels_first_3_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_3_0_count_6_choice_2, slice1cost_pixels_first_3_1_count_0_choice : boolean;
+    variable slice1cost_pixels_first_3_1_count_0_choice_2, slice1cost_pixels_first_3_1_count_1_choice : boolean;
+    variable slice1cost_pixels_first_3_1_count_1_choice_2, slice1cost_pixels_first_3_1_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_3_1_count_2_choice, slice1cost_pixels_first_3_1_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_1_count_3_choice, slice1cost_pixels_first_3_1_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_1_count_3_choice_3, slice1cost_pixels_first_3_1_count_4_choice : boolean;
+    variable slice1cost_pixels_first_3_1_count_4_choice_2, slice1cost_pixels_first_3_1_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_3_1_count_5_choice, slice1cost_pixels_first_3_1_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_1_count_5_choice_3, slice1cost_pixels_first_3_1_count_6_choice : boolean;
+    variable slice1cost_pixels_first_3_1_count_6_choice_2, slice1cost_pixels_first_3_2_count_0_choice : boolean;
+    variable slice1cost_pixels_first_3_2_count_0_choice_2, slice1cost_pixels_first_3_2_count_1_choice : boolean;
+    variable slice1cost_pixels_first_3_2_count_1_choice_2, slice1cost_pixels_first_3_2_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_3_2_count_2_choice, slice1cost_pixels_first_3_2_count_2_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_2_count_3_choice, slice1cost_pixels_first_3_2_count_3_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_2_count_3_choice_3, slice1cost_pixels_first_3_2_count_4_choice : boolean;
+    variable slice1cost_pixels_first_3_2_count_4_choice_2, slice1cost_pixels_first_3_2_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_3_2_count_5_choice, slice1cost_pixels_first_3_2_count_5_choice_2 : boolean;
+    variable slice1cost_pixels_first_3_2_count_5_choice_3, slice1cost_pixels_first_3_2_count_6_choice : boolean;
+    variable slice1cost_pixels_first_3_2_count_6_choice_2, slice1winner1_best_index_0_0_choice : boolean;
+    variable slice1winner1_best_index_0_0_choice_2, slice1winner1_best_index_0_0_value : boolean;
+    variable slice1winner1_best_index_0_0_choice_3, slice1winner1_best_index_0_0_value_2 : boolean;
+    variable slice1winner1_best_index_0_0_choice_4, slice1winner1_best_index_0_0_value_3 : boolean;
+    variable slice1winner1_best_index_0_0_choice_5, slice1winner1_best_index_0_0_value_4 : boolean;
+    variable slice1winner1_best_index_0_0_choice_6, slice1winner1_best_index_0_0_value_5 : boolean;
+    variable slice1winner1_best_index_0_0_choice_7, slice1winner1_best_index_1_0_choice : boolean;
+    variable slice1winner1_best_index_1_0_choice_2, slice1winner1_best_index_1_0_value : boolean;
+    variable slice1winner1_best_index_1_0_choice_3, slice1winner1_best_index_1_0_value_2 : boolean;
+    variable slice1winner1_best_index_1_0_choice_4, slice1winner1_best_index_1_0_value_3 : boolean;
+    variable slice1winner1_best_index_1_0_choice_5, slice1winner1_best_index_1_0_value_4 : boolean;
+    variable slice1winner1_best_index_1_0_choice_6, slice1winner1_best_index_1_0_value_5 : boolean;
+    variable slice1winner1_best_index_1_0_choice_7, slice1winner2_best_index_0_0_choice : boolean;
+    variable slice1winner2_best_index_0_0_choice_2, slice1winner2_best_index_0_0_value : boolean;
+    variable slice1winner2_best_index_0_0_choice_3, slice1winner2_best_index_0_0_value_2 : boolean;
+    variable slice1winner2_best_index_0_0_choice_4, slice1winner2_best_index_0_0_value_3 : boolean;
+    variable slice1winner2_best_index_0_0_choice_5, slice1winner2_best_index_0_0_value_4 : boolean;
+    variable slice1winner2_best_index_0_0_choice_6, slice1winner2_best_index_0_0_value_5 : boolean;
+    variable slice1winner2_best_index_0_0_choice_7, slice1winner2_best_index_0_0_choice_8 : boolean;
+    variable slice1winner2_best_index_1_0_choice, slice1winner2_best_index_1_0_choice_2 : boolean;
+    variable slice1winner2_best_index_1_0_value, slice1winner2_best_index_1_0_choice_3 : boolean;
+    variable slice1winner2_best_index_1_0_value_2, slice1winner2_best_index_1_0_choice_4 : boolean;
+    variable slice1winner2_best_index_1_0_value_3, slice1winner2_best_index_1_0_choice_5 : boolean;
+    variable slice1winner2_best_index_1_0_value_4, slice1winner2_best_index_1_0_choice_6 : boolean;
+    variable slice1winner2_best_index_1_0_value_5, slice1winner2_best_index_1_0_choice_7 : boolean;
+    variable slice1winner2_best_index_1_0_choice_8, slice1_best_index_0_0_choice : boolean;
+    variable slice1_best_index_0_0_choice_2, slice1_best_index_0_0_value, slice1_best_index_0_0_choice_3 : boolean;
+    variable slice1_best_index_0_0_value_2, slice1_best_index_0_0_choice_4, slice1_best_index_0_0_value_3 : boolean;
+    variable slice1_best_index_0_0_choice_5, slice1_best_index_0_0_value_4, slice1_best_index_0_0_choice_6 : boolean;
+    variable slice1_best_index_0_0_value_5, slice1_best_index_0_0_choice_7, slice1_best_index_0_0_choice_8 : boolean;
+    variable slice1_best_index_1_0_choice, slice1_best_index_1_0_choice_2, slice1_best_index_1_0_value : boolean;
+    variable slice1_best_index_1_0_choice_3, slice1_best_index_1_0_value_2, slice1_best_index_1_0_choice_4 : boolean;
+    variable slice1_best_index_1_0_value_3, slice1_best_index_1_0_choice_5, slice1_best_index_1_0_value_4 : boolean;
+    variable slice1_best_index_1_0_choice_6, slice1_best_index_1_0_value_5, slice1_best_index_1_0_choice_7 : boolean;
+    variable slice1_best_index_1_0_choice_8, slice2cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_0_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value_3, slice2cost_pixels_first_0_0_count_0_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_choice_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_1_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_choice_2, slice2cost_pixels_first_0_0_count_1_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_6, slice2cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_choice, slice2cost_pixels_first_0_0_count_2_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_4, slice2cost_pixels_first_0_0_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_choice, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_4, slice2cost_pixels_first_0_0_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_5, slice2cost_pixels_first_0_0_count_3_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_choice_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_4_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_choice_2, slice2cost_pixels_first_0_0_count_4_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_6, slice2cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value, slice2cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_choice, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_4, slice2cost_pixels_first_0_0_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_5, slice2cost_pixels_first_0_0_count_5_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_choice_3, slice2cost_pixels_first_0_0_count_6_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_choice_2, slice2cost_pixels_first_0_1_count_0_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_0_choice_2, slice2cost_pixels_first_0_1_count_1_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_1_choice_2, slice2cost_pixels_first_0_1_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_2_choice, slice2cost_pixels_first_0_1_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_3_choice, slice2cost_pixels_first_0_1_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_3_choice_3, slice2cost_pixels_first_0_1_count_4_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_4_choice_2, slice2cost_pixels_first_0_1_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_5_choice, slice2cost_pixels_first_0_1_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_5_choice_3, slice2cost_pixels_first_0_1_count_6_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_6_choice_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_0_choice : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_3, slice2cost_pixels_first_1_0_count_0_value_4 : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_choice_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_choice : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_1_value_4 : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_choice_2, slice2cost_pixels_first_1_0_count_1_value_5 : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_6, slice2cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_choice, slice2cost_pixels_first_1_0_count_2_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value_4, slice2cost_pixels_first_1_0_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_choice, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_4, slice2cost_pixels_first_1_0_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_5, slice2cost_pixels_first_1_0_count_3_value_6 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_choice_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_choice : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_4_value_4 : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_choice_2, slice2cost_pixels_first_1_0_count_4_value_5 : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_6, slice2cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_choice, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_4, slice2cost_pixels_first_1_0_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_5, slice2cost_pixels_first_1_0_count_5_value_6 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_choice_3, slice2cost_pixels_first_1_0_count_6_choice : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value, slice2cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_choice_2, slice2cost_pixels_first_1_1_count_0_choice : boolean;
+    variable slice2cost_pixels_first_1_1_count_0_choice_2, slice2cost_pixels_first_1_1_count_1_choice : boolean;
+    variable slice2cost_pixels_first_1_1_count_1_choice_2, slice2cost_pixels_first_1_1_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_1_count_2_choice, slice2cost_pixels_first_1_1_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_1_1_count_3_choice, slice2cost_pixels_first_1_1_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_1_1_count_3_choice_3, slice2cost_pixels_first_1_1_count_4_choice : boolean;
+    variable slice2cost_pixels_first_1_1_count_4_choice_2, slice2cost_pixels_first_1_1_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_1_count_5_choice, slice2cost_pixels_first_1_1_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_1_1_count_5_choice_3, slice2cost_pixels_first_1_1_count_6_choice : boolean;
+    variable slice2cost_pixels_first_1_1_count_6_choice_2, slice2cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_0_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value_3, slice2cost_pixels_first_2_0_count_0_value_4 : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_choice_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_1_value_4 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_choice_2, slice2cost_pixels_first_2_0_count_1_value_5 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_6, slice2cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_choice, slice2cost_pixels_first_2_0_count_2_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_4, slice2cost_pixels_first_2_0_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_choice, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_4, slice2cost_pixels_first_2_0_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_5, slice2cost_pixels_first_2_0_count_3_value_6 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_choice_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_4_value_4 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_choice_2, slice2cost_pixels_first_2_0_count_4_value_5 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_6, slice2cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value, slice2cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_choice, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_4, slice2cost_pixels_first_2_0_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_5, slice2cost_pixels_first_2_0_count_5_value_6 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_choice_3, slice2cost_pixels_first_2_0_count_6_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_choice_2, slice2cost_pixels_first_2_1_count_0_choice : boolean;
+    variable slice2cost_pixels_first_2_1_count_0_choice_2, slice2cost_pixels_first_2_1_count_1_choice : boolean;
+    variable slice2cost_pixels_first_2_1_count_1_choice_2, slice2cost_pixels_first_2_1_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_1_count_2_choice, slice2cost_pixels_first_2_1_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_2_1_count_3_choice, slice2cost_pixels_first_2_1_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_2_1_count_3_choice_3, slice2cost_pixels_first_2_1_count_4_choice : boolean;
+    variable slice2cost_pixels_first_2_1_count_4_choice_2, slice2cost_pixels_first_2_1_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_1_count_5_choice, slice2cost_pixels_first_2_1_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_2_1_count_5_choice_3, slice2cost_pixels_first_2_1_count_6_choice : boolean;
+    variable slice2cost_pixels_first_2_1_count_6_choice_2, slice2cost_pixels_first_3_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_3_0_count_0_value_2, slice2cost_pixels_first_3_0_count_0_choice : boolean;
+    variable slice2cost_pixels_first_3_0_count_0_value_3, slice2cost_pixels_first_3_0_count_0_value_4 : boolean;
+    variable slice2cost_pixels_first_3_0_count_0_choice_2, slice2cost_pixels_first_3_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_3_0_count_1_value_2, slice2cost_pixels_first_3_0_count_1_choice : boolean;
+    variable slice2cost_pixels_first_3_0_count_1_value_3, slice2cost_pixels_first_3_0_count_1_value_4 : boolean;
+    variable slice2cost_pixels_first_3_0_count_1_choice_2, slice2cost_pixels_first_3_0_count_1_value_5 : boolean;
+    variable slice2cost_pixels_first_3_0_count_1_value_6, slice2cost_pixels_first_3_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_3_0_count_2_value, slice2cost_pixels_first_3_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_2_choice, slice2cost_pixels_first_3_0_count_2_value_3 : boolean;
+    variable slice2cost_pixels_first_3_0_count_2_value_4, slice2cost_pixels_first_3_0_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_3_value, slice2cost_pixels_first_3_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_3_choice, slice2cost_pixels_first_3_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_3_0_count_3_value_4, slice2cost_pixels_first_3_0_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_3_value_5, slice2cost_pixels_first_3_0_count_3_value_6 : boolean;
+    variable slice2cost_pixels_first_3_0_count_3_choice_3, slice2cost_pixels_first_3_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_3_0_count_4_value_2, slice2cost_pixels_first_3_0_count_4_choice : boolean;
+    variable slice2cost_pixels_first_3_0_count_4_value_3, slice2cost_pixels_first_3_0_count_4_value_4 : boolean;
+    variable slice2cost_pixels_first_3_0_count_4_choice_2, slice2cost_pixels_first_3_0_count_4_value_5 : boolean;
+    variable slice2cost_pixels_first_3_0_count_4_value_6, slice2cost_pixels_first_3_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_3_0_count_5_value, slice2cost_pixels_first_3_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_5_choice, slice2cost_pixels_first_3_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_3_0_count_5_value_4, slice2cost_pixels_first_3_0_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_5_value_5, slice2cost_pixels_first_3_0_count_5_value_6 : boolean;
+    variable slice2cost_pixels_first_3_0_count_5_choice_3, slice2cost_pixels_first_3_0_count_6_choice : boolean;
+    variable slice2cost_pixels_first_3_0_count_6_value, slice2cost_pixels_first_3_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_3_0_count_6_choice_2, slice2cost_pixels_first_3_1_count_0_choice : boolean;
+    variable slice2cost_pixels_first_3_1_count_0_choice_2, slice2cost_pixels_first_3_1_count_1_choice : boolean;
+    variable slice2cost_pixels_first_3_1_count_1_choice_2, slice2cost_pixels_first_3_1_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_3_1_count_2_choice, slice2cost_pixels_first_3_1_count_2_choice_2 : boolean;
+    variable slice2cost_pixels_first_3_1_count_3_choice, slice2cost_pixels_first_3_1_count_3_choice_2 : boolean;
+    variable slice2cost_pixels_first_3_1_count_3_choice_3, slice2cost_pixels_first_3_1_count_4_choice : boolean;
+    variable slice2cost_pixels_first_3_1_count_4_choice_2, slice2cost_pixels_first_3_1_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_3_1_count_5_choice, slice2cost_pixels_first_3_1_count_5_choice_2 : boolean;
+    variable slice2cost_pixels_first_3_1_count_5_choice_3, slice2cost_pixels_first_3_1_count_6_choice : boolean;
+    variable slice2cost_pixels_first_3_1_count_6_choice_2, slice2winner1_best_index_0_0_choice : boolean;
+    variable slice2winner1_best_index_0_0_choice_2, slice2winner1_best_index_0_0_value : boolean;
+    variable slice2winner1_best_index_0_0_choice_3, slice2winner1_best_index_0_0_value_2 : boolean;
+    variable slice2winner1_best_index_0_0_choice_4, slice2winner1_best_index_0_0_value_3 : boolean;
+    variable slice2winner1_best_index_0_0_choice_5, slice2winner1_best_index_0_0_value_4 : boolean;
+    variable slice2winner1_best_index_0_0_choice_6, slice2winner1_best_index_0_0_value_5 : boolean;
+    variable slice2winner1_best_index_0_0_choice_7, slice2winner1_best_index_1_0_choice : boolean;
+    variable slice2winner1_best_index_1_0_choice_2, slice2winner1_best_index_1_0_value : boolean;
+    variable slice2winner1_best_index_1_0_choice_3, slice2winner1_best_index_1_0_value_2 : boolean;
+    variable slice2winner1_best_index_1_0_choice_4, slice2winner1_best_index_1_0_value_3 : boolean;
+    variable slice2winner1_best_index_1_0_choice_5, slice2winner1_best_index_1_0_value_4 : boolean;
+    variable slice2winner1_best_index_1_0_choice_6, slice2winner1_best_index_1_0_value_5 : boolean;
+    variable slice2winner1_best_index_1_0_choice_7, slice2_best_index_0_0_choice : boolean;
+    variable slice2_best_index_0_0_choice_2, slice2_best_index_0_0_value, slice2_best_index_0_0_choice_3 : boolean;
+    variable slice2_best_index_0_0_value_2, slice2_best_index_0_0_choice_4, slice2_best_index_0_0_value_3 : boolean;
+    variable slice2_best_index_0_0_choice_5, slice2_best_index_0_0_value_4, slice2_best_index_0_0_choice_6 : boolean;
+    variable slice2_best_index_0_0_value_5, slice2_best_index_0_0_choice_7, slice2_best_index_0_0_choice_8 : boolean;
+    variable slice2_best_index_1_0_choice, slice2_best_index_1_0_choice_2, slice2_best_index_1_0_value : boolean;
+    variable slice2_best_index_1_0_choice_3, slice2_best_index_1_0_value_2, slice2_best_index_1_0_choice_4 : boolean;
+    variable slice2_best_index_1_0_value_3, slice2_best_index_1_0_choice_5, slice2_best_index_1_0_value_4 : boolean;
+    variable slice2_best_index_1_0_choice_6, slice2_best_index_1_0_value_5, slice2_best_index_1_0_choice_7 : boolean;
+    variable slice2_best_index_1_0_choice_8 : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
+    variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 7;
+    variable transform_left_filter_feature_0_choice_154 : natural range 0 to 7;
+    variable transform_left_filter_feature_1_choice_154 : natural range 0 to 7;
+    variable transform_right_filter_feature_0_choice_154 : natural range 0 to 7;
+    variable transform_right_filter_feature_1_choice_154, raster_place_group_choice_3 : natural range 0 to 7;
+    variable raster_place_group_choice_4 : natural range 0 to 7;
+    variable transform_left_filter_feature_0_choice_155 : natural range 0 to 63;
+    variable transform_left_filter_feature_1_choice_155 : natural range 0 to 63;
+    variable transform_right_filter_feature_0_choice_155 : natural range 0 to 63;
+    variable transform_right_filter_feature_1_choice_155 : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice_156 : natural range 0 to 511;
+    variable transform_left_filter_feature_1_choice_156 : natural range 0 to 511;
+    variable transform_right_filter_feature_0_choice_156 : natural range 0 to 511;
+    variable transform_right_filter_feature_1_choice_156 : natural range 0 to 511;
+    variable transform_left_filter_feature_0_choice_165 : natural range 0 to 1023;
+    variable transform_left_filter_feature_1_choice_165 : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_165 : natural range 0 to 1023;
+    variable transform_right_filter_feature_1_choice_165 : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_166 : natural range 0 to 16383;
+    variable transform_left_filter_feature_1_choice_166 : natural range 0 to 16383;
+    variable transform_right_filter_feature_0_choice_166 : natural range 0 to 16383;
+    variable transform_right_filter_feature_1_choice_166 : natural range 0 to 16383;
+    variable transform_left_filter_feature_0_choice_167 : natural range 0 to 131071;
+    variable transform_left_filter_feature_1_choice_167 : natural range 0 to 131071;
+    variable transform_right_filter_feature_0_choice_167 : natural range 0 to 131071;
+    variable transform_right_filter_feature_1_choice_167 : natural range 0 to 131071;
+  begin
+    if rising_edge(clock) then
+      -- transform
+      transform_counter_group_is_equal := transform_counter_column = 31;
+      transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 5);
+      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      transform_counter_group_is_equal_2 := (transform_counter_group / 2) = 3;
+      transform_counter_group_choice_2 := in_valid and (not ((transform_counter_group mod 2) = 1)) when
+        transform_counter_group_is_equal_2 else in_valid;
+      transform_counter_group_choice_3 := 1 when raster_features_start_of_frame and (transform_counter_group = 6) else
+        (transform_counter_group + 1) mod 8;
+      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_is_equal and
+        transform_counter_group_choice_2 else transform_counter_group;
+      transform_read_row_inside_0_value := ((transform_counter_group / 2) mod 2) = 1;
+      transform_read_row_inside_0_any := ((transform_counter_group / 4) = 1) or transform_read_row_inside_0_value;
+      transform_read_row_inside_1_any := (not ((transform_counter_group / 4) = 1)) or (not
+        transform_read_row_inside_0_value);
+      transform_read_column_inside_0_value := ((transform_counter_column / 8) mod 2) = 1;
+      transform_read_column_inside_0_value_2 := ((transform_counter_column / 4) mod 2) = 1;
+      transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
+      transform_read_column_inside_1_all := ((transform_counter_column mod 4) /= 3) and
+        transform_read_column_inside_1_is_equal;
+      transform_read_column_inside_1_is_equal_2 := (transform_counter_column mod 4) = 0;
+      transform_read_column_inside_1_value := ((transform_counter_column / 2) mod 2) = 1;
+      transform_read_column_inside_1_choice := transform_read_column_inside_1_is_equal_2 when
+        transform_read_column_inside_1_all else transform_read_column_inside_1_value or ((transform_counter_column mod
+        2) = 1);
+      transform_read_column_inside_5_choice := not ((transform_counter_column / 16) = 1) when
+        transform_read_column_inside_1_all else (transform_counter_column / 16) = 1;
+      transform_left_filter_feature_0_value := ((transform_left_filter_column_3_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+        ((transform_left_filter_column_3_1 mod 2) = 1));
+      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_3_1 mod 4) = 0;
+      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
+        ((transform_left_filter_column_6_0 / 2) mod 2) = 1 else ((transform_left_filter_column_6_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_3_1 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
+        (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_3_1 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
+        (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_3_1 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
+        (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_3_1 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
+        (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_3_1 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
+        (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
+        ((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_6_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
+        transform_left_filter_feature_0_value_7 else ((transform_left_filter_column_6_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
+        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
+        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
+        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
+        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
+        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
+        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_6_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
+        transform_left_filter_feature_0_value_8 else ((transform_left_filter_column_6_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
+        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
+        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
+        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
+        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
+        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
+        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
+        ((transform_left_filter_column_5_0 / 2) mod 2) = 1 else ((transform_left_filter_column_5_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
+        (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
+        (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
+        (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
+        (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
+        (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
+        ((transform_left_filter_column_5_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_5_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
+        transform_left_filter_feature_0_value_9 else ((transform_left_filter_column_5_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
+        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
+        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
+        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
+        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
+        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
+        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_5_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
+        transform_left_filter_feature_0_value_10 else ((transform_left_filter_column_5_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
+        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
+        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
+        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
+        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
+        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
+        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
+        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
+        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
+        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
+        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
+        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
+        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
+        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_4_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
+        transform_left_filter_feature_0_value_11 else ((transform_left_filter_column_4_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
+        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
+        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
+        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
+        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
+        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
+        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_12 := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
+        transform_left_filter_feature_0_value_12 else ((transform_left_filter_column_4_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
+        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
+        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
+        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
+        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
+        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
+        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_13 := ((transform_left_filter_column_3_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
+        transform_left_filter_feature_0_value_13 else ((transform_left_filter_column_3_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_14 := ((transform_left_filter_column_3_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_all := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_any_2 := (not transform_left_filter_feature_0_value_14) or
+        transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_75 := transform_left_filter_feature_0_all when
+        transform_left_filter_feature_0_choice_74 else transform_left_filter_feature_0_any_2;
+      transform_left_filter_feature_0_value_15 := ((transform_left_filter_column_3_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_any_3 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_all_2 := (not transform_left_filter_feature_0_value_15) and
+        transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_76 := transform_left_filter_feature_0_any_3 when
+        transform_left_filter_feature_0_choice_75 else transform_left_filter_feature_0_all_2;
+      transform_left_filter_feature_0_value_16 := ((transform_left_filter_column_3_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_any_4 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_all_3 := (not transform_left_filter_feature_0_value_16) and
+        transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_77 := transform_left_filter_feature_0_any_4 when
+        transform_left_filter_feature_0_choice_76 else transform_left_filter_feature_0_all_3;
+      transform_left_filter_feature_0_value_17 := ((transform_left_filter_column_3_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_any_5 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_all_4 := (not transform_left_filter_feature_0_value_17) and
+        transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_78 := transform_left_filter_feature_0_any_5 when
+        transform_left_filter_feature_0_choice_77 else transform_left_filter_feature_0_all_4;
+      transform_left_filter_feature_0_value_18 := ((transform_left_filter_column_3_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_any_6 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_all_5 := (not transform_left_filter_feature_0_value_18) and
+        transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_any_6 when
+        transform_left_filter_feature_0_choice_78 else transform_left_filter_feature_0_all_5;
+      transform_left_filter_feature_0_choice_80 := transform_filtering_column_inside_3 when
+        (transform_left_filter_column_3_2 / 128) = 1 else (not ((transform_left_filter_column_3_1 / 128) = 1)) and
+        transform_filtering_column_inside_3;
+      transform_left_filter_feature_0_choice_81 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) and transform_filtering_column_inside_3 when
+        transform_left_filter_feature_0_choice_79 else transform_left_filter_feature_0_choice_80;
+      transform_left_filter_feature_0_value_19 := ((transform_left_filter_column_2_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_83 := transform_left_filter_feature_0_choice_82 when
+        transform_left_filter_feature_0_value_19 else ((transform_left_filter_column_2_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_20 := ((transform_left_filter_column_2_1 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_84 := (not transform_left_filter_feature_0_value_20) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_83 else (not
+        transform_left_filter_feature_0_value_20) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_21 := ((transform_left_filter_column_2_1 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_85 := (not transform_left_filter_feature_0_value_21) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_84 else (not
+        transform_left_filter_feature_0_value_21) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_22 := ((transform_left_filter_column_2_1 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_86 := (not transform_left_filter_feature_0_value_22) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_85 else (not
+        transform_left_filter_feature_0_value_22) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_23 := ((transform_left_filter_column_2_1 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_87 := (not transform_left_filter_feature_0_value_23) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_86 else (not
+        transform_left_filter_feature_0_value_23) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_24 := ((transform_left_filter_column_2_1 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_88 := (not transform_left_filter_feature_0_value_24) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_87 else (not
+        transform_left_filter_feature_0_value_24) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_88 else
+        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_25 := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90 when
+        transform_left_filter_feature_0_value_25 else ((transform_left_filter_column_2_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_26 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_92 := (not transform_left_filter_feature_0_value_26) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_91 else (not
+        transform_left_filter_feature_0_value_26) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_27 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_93 := (not transform_left_filter_feature_0_value_27) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_92 else (not
+        transform_left_filter_feature_0_value_27) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_28 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_94 := (not transform_left_filter_feature_0_value_28) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_93 else (not
+        transform_left_filter_feature_0_value_28) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_29 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_95 := (not transform_left_filter_feature_0_value_29) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_94 else (not
+        transform_left_filter_feature_0_value_29) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_30 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_96 := (not transform_left_filter_feature_0_value_30) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_95 else (not
+        transform_left_filter_feature_0_value_30) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_96 else
+        ((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98 when
+        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_99 else (not
+        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_100 else (not
+        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_101 else (not
+        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_102 else (not
+        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_103 else (not
+        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_104 else
+        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_31 := ((transform_left_filter_column_1_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106 when
+        transform_left_filter_feature_0_value_31 else ((transform_left_filter_column_1_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_32 := ((transform_left_filter_column_1_1 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_108 := (not transform_left_filter_feature_0_value_32) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_107 else (not
+        transform_left_filter_feature_0_value_32) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_33 := ((transform_left_filter_column_1_1 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_109 := (not transform_left_filter_feature_0_value_33) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_108 else (not
+        transform_left_filter_feature_0_value_33) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_34 := ((transform_left_filter_column_1_1 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_110 := (not transform_left_filter_feature_0_value_34) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_109 else (not
+        transform_left_filter_feature_0_value_34) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_35 := ((transform_left_filter_column_1_1 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_111 := (not transform_left_filter_feature_0_value_35) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_110 else (not
+        transform_left_filter_feature_0_value_35) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_36 := ((transform_left_filter_column_1_1 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_112 := (not transform_left_filter_feature_0_value_36) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_111 else (not
+        transform_left_filter_feature_0_value_36) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_112 else
+        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_37 := ((transform_left_filter_column_1_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114 when
+        transform_left_filter_feature_0_value_37 else ((transform_left_filter_column_1_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_38 := ((transform_left_filter_column_1_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_116 := (not transform_left_filter_feature_0_value_38) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_115 else (not
+        transform_left_filter_feature_0_value_38) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_39 := ((transform_left_filter_column_1_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_117 := (not transform_left_filter_feature_0_value_39) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_116 else (not
+        transform_left_filter_feature_0_value_39) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_40 := ((transform_left_filter_column_1_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_118 := (not transform_left_filter_feature_0_value_40) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_117 else (not
+        transform_left_filter_feature_0_value_40) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_41 := ((transform_left_filter_column_1_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_119 := (not transform_left_filter_feature_0_value_41) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_118 else (not
+        transform_left_filter_feature_0_value_41) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_42 := ((transform_left_filter_column_1_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_120 := (not transform_left_filter_feature_0_value_42) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_119 else (not
+        transform_left_filter_feature_0_value_42) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_120 else
+        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122 when
+        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_123 else (not
+        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_124 else (not
+        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_125 else (not
+        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_126 else (not
+        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_127 else (not
+        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_128 else
+        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_43 := ((transform_left_filter_column_0_1 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130 when
+        transform_left_filter_feature_0_value_43 else ((transform_left_filter_column_0_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_44 := ((transform_left_filter_column_0_1 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_132 := (not transform_left_filter_feature_0_value_44) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_131 else (not
+        transform_left_filter_feature_0_value_44) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_45 := ((transform_left_filter_column_0_1 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_133 := (not transform_left_filter_feature_0_value_45) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_132 else (not
+        transform_left_filter_feature_0_value_45) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_46 := ((transform_left_filter_column_0_1 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_134 := (not transform_left_filter_feature_0_value_46) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_133 else (not
+        transform_left_filter_feature_0_value_46) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_47 := ((transform_left_filter_column_0_1 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_135 := (not transform_left_filter_feature_0_value_47) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_134 else (not
+        transform_left_filter_feature_0_value_47) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_48 := ((transform_left_filter_column_0_1 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_136 := (not transform_left_filter_feature_0_value_48) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_135 else (not
+        transform_left_filter_feature_0_value_48) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_136 else
+        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_value_49 := ((transform_left_filter_column_0_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138 when
+        transform_left_filter_feature_0_value_49 else ((transform_left_filter_column_0_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_50 := ((transform_left_filter_column_0_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_140 := (not transform_left_filter_feature_0_value_50) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_139 else (not
+        transform_left_filter_feature_0_value_50) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_51 := ((transform_left_filter_column_0_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_141 := (not transform_left_filter_feature_0_value_51) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_140 else (not
+        transform_left_filter_feature_0_value_51) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_52 := ((transform_left_filter_column_0_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_142 := (not transform_left_filter_feature_0_value_52) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_141 else (not
+        transform_left_filter_feature_0_value_52) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_53 := ((transform_left_filter_column_0_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_143 := (not transform_left_filter_feature_0_value_53) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_142 else (not
+        transform_left_filter_feature_0_value_53) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_54 := ((transform_left_filter_column_0_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_144 := (not transform_left_filter_feature_0_value_54) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_143 else (not
+        transform_left_filter_feature_0_value_54) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_144 else
+        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      transform_left_filter_feature_0_choice_146 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_left_filter_column_3_1 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
+      transform_left_filter_feature_0_choice_147 := ((transform_left_filter_column_3_1 mod 2) = 1) or (not
+        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
+        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_146;
+      transform_left_filter_feature_0_value_55 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_148 := (not transform_left_filter_feature_0_value_2) and
+        transform_left_filter_feature_0_value_55 when transform_left_filter_feature_0_choice_147 else (not
+        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_55;
+      transform_left_filter_feature_0_value_56 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_149 := (not transform_left_filter_feature_0_value_3) or
+        transform_left_filter_feature_0_value_56 when transform_left_filter_feature_0_choice_148 else (not
+        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_56;
+      transform_left_filter_feature_0_value_57 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_150 := (not transform_left_filter_feature_0_value_4) or
+        transform_left_filter_feature_0_value_57 when transform_left_filter_feature_0_choice_149 else (not
+        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_57;
+      transform_left_filter_feature_0_value_58 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_151 := (not transform_left_filter_feature_0_value_5) or
+        transform_left_filter_feature_0_value_58 when transform_left_filter_feature_0_choice_150 else (not
+        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_58;
+      transform_left_filter_feature_0_value_59 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_152 := (not transform_left_filter_feature_0_value_6) or
+        transform_left_filter_feature_0_value_59 when transform_left_filter_feature_0_choice_151 else (not
+        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_59;
+      transform_left_filter_feature_0_choice_153 := (not ((transform_left_filter_column_3_1 / 128) = 1)) or
+        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_152 else (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_0_choice_154 := (as_number(transform_left_filter_feature_0_choice_137) * 2) +
+          (as_number(transform_left_filter_feature_0_choice_145) * 4) +
+          as_number(transform_left_filter_feature_0_choice_153);
+      else
+        transform_left_filter_feature_0_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_0_choice_155 := (as_number(transform_left_filter_feature_0_choice_113) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_121) * 32) +
+          (as_number(transform_left_filter_feature_0_choice_129) * 8) + transform_left_filter_feature_0_choice_154;
+      else
+        transform_left_filter_feature_0_choice_155 := transform_left_filter_feature_0_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_0_choice_156 := (as_number(transform_left_filter_feature_0_choice_89) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_97) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_105) * 64) + transform_left_filter_feature_0_choice_155;
+      else
+        transform_left_filter_feature_0_choice_156 := transform_left_filter_feature_0_choice_155;
+      end if;
+      transform_left_filter_feature_0_choice_157 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_158 := transform_left_filter_feature_0_choice_157 when
+        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_158 else (not
+        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_159 else (not
+        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_161 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_160 else (not
+        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_162 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_161 else (not
+        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_162 else (not
+        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_164 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_163 else
+        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_0_choice_165 := transform_left_filter_feature_0_choice_156 +
+          (as_number(transform_left_filter_feature_0_choice_164) * 512);
+      else
+        transform_left_filter_feature_0_choice_165 := transform_left_filter_feature_0_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_left_filter_feature_0_choice_166 := (as_number(transform_left_filter_feature_0_choice_56) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_64) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_72) * 8192) +
+          (as_number(transform_left_filter_feature_0_choice_81) * 1024) + transform_left_filter_feature_0_choice_165;
+      else
+        transform_left_filter_feature_0_choice_166 := (as_number(transform_left_filter_feature_0_choice_81) * 1024) +
+          transform_left_filter_feature_0_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_left_filter_feature_0_choice_167 := (as_number(transform_left_filter_feature_0_choice_32) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_40) * 32768) +
+          (as_number(transform_left_filter_feature_0_choice_48) * 65536) + transform_left_filter_feature_0_choice_166;
+      else
+        transform_left_filter_feature_0_choice_167 := transform_left_filter_feature_0_choice_166;
+      end if;
+      transform_left_filter_feature_1_any := (not transform_left_filter_feature_0_value_13) or (not
+        ((transform_left_filter_column_3_2 mod 2) = 1));
+      transform_left_filter_feature_1_choice := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_is_equal := (transform_left_filter_column_3_2 mod 4) = 0;
+      transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice when
+        transform_left_filter_feature_0_value_7 else ((transform_left_filter_column_6_1 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_3 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_2 else (not
+        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_4 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_3 else (not
+        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_5 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_4 else (not
+        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_6 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_5 else (not
+        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_7 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_6 else (not
+        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_8 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_7 else
+        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_9 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_10 := transform_left_filter_feature_1_choice_9 when
+        transform_left_filter_feature_0_value_8 else ((transform_left_filter_column_6_2 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_11 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_10 else (not
+        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_12 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_11 else (not
+        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_13 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_12 else (not
+        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_14 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_13 else (not
+        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_15 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_14 else (not
+        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_16 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_15 else
+        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_17 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_6_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_18 := transform_left_filter_feature_1_choice_17 when
+        ((transform_left_filter_column_6_3 / 2) mod 2) = 1 else ((transform_left_filter_column_6_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_19 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_18 else (not
+        (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_20 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_19 else (not
+        (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_21 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_20 else (not
+        (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_22 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_21 else (not
+        (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_23 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_22 else (not
+        (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_24 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_23 else
+        ((transform_left_filter_column_6_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_25 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_26 := transform_left_filter_feature_1_choice_25 when
+        transform_left_filter_feature_0_value_9 else ((transform_left_filter_column_5_1 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_27 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_26 else (not
+        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_28 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_27 else (not
+        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_29 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_28 else (not
+        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_30 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_29 else (not
+        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_31 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_30 else (not
+        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_32 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_31 else
+        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_33 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_34 := transform_left_filter_feature_1_choice_33 when
+        transform_left_filter_feature_0_value_10 else ((transform_left_filter_column_5_2 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_35 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_34 else (not
+        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_36 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_35 else (not
+        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_37 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_36 else (not
+        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_38 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_37 else (not
+        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_39 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_38 else (not
+        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_40 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_39 else
+        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_41 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_5_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_42 := transform_left_filter_feature_1_choice_41 when
+        ((transform_left_filter_column_5_3 / 2) mod 2) = 1 else ((transform_left_filter_column_5_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_43 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_42 else (not
+        (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_44 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_43 else (not
+        (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_45 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_44 else (not
+        (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_46 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_45 else (not
+        (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_47 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_46 else (not
+        (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_48 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_47 else
+        ((transform_left_filter_column_5_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_49 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_50 := transform_left_filter_feature_1_choice_49 when
+        transform_left_filter_feature_0_value_11 else ((transform_left_filter_column_4_1 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_51 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_50 else (not
+        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_52 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_51 else (not
+        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_53 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_52 else (not
+        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_54 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_53 else (not
+        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_55 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_54 else (not
+        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_56 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_55 else
+        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_57 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_58 := transform_left_filter_feature_1_choice_57 when
+        transform_left_filter_feature_0_value_12 else ((transform_left_filter_column_4_2 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_59 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_58 else (not
+        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_60 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_59 else (not
+        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_61 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_60 else (not
+        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_62 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_61 else (not
+        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_63 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_62 else (not
+        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_64 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_63 else
+        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_65 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_66 := transform_left_filter_feature_1_choice_65 when
+        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_67 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_66 else (not
+        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_68 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_67 else (not
+        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_69 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_68 else (not
+        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_70 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_69 else (not
+        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_71 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_70 else (not
+        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_72 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_71 else
+        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_73 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_74 := transform_left_filter_feature_1_choice_73 when
+        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_75 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_74 else (not
+        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_76 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_75 else (not
+        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_77 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_76 else (not
+        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_78 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_77 else (not
+        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_79 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_78 else (not
+        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_80 := transform_filtering_column_inside_3 when
+        (transform_left_filter_column_3_3 / 128) = 1 else (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+        transform_filtering_column_inside_3;
+      transform_left_filter_feature_1_choice_81 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and transform_filtering_column_inside_3 when
+        transform_left_filter_feature_1_choice_79 else transform_left_filter_feature_1_choice_80;
+      transform_left_filter_feature_1_choice_82 := not transform_left_filter_feature_0_value_25 when
+        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_2_2 mod 4) = 0;
+      transform_left_filter_feature_1_choice_83 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value_25) or (not ((transform_left_filter_column_2_2 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_82;
+      transform_left_filter_feature_1_choice_84 := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_26 when transform_left_filter_feature_1_choice_83 else (not
+        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_26;
+      transform_left_filter_feature_1_choice_85 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_27 when transform_left_filter_feature_1_choice_84 else (not
+        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_27;
+      transform_left_filter_feature_1_choice_86 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_28 when transform_left_filter_feature_1_choice_85 else (not
+        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_28;
+      transform_left_filter_feature_1_choice_87 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_29 when transform_left_filter_feature_1_choice_86 else (not
+        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_29;
+      transform_left_filter_feature_1_choice_88 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_30 when transform_left_filter_feature_1_choice_87 else (not
+        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_30;
+      transform_left_filter_feature_1_choice_89 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_2_2 / 128) = 1) when transform_left_filter_feature_1_choice_88 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_2_2 / 128) = 1);
+      transform_left_filter_feature_1_choice_90 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_91 := transform_left_filter_feature_1_choice_90 when
+        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_92 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_91 else (not
+        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_93 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_92 else (not
+        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_94 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_93 else (not
+        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_95 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_94 else (not
+        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_96 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_95 else (not
+        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_97 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_96 else
+        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_98 := not transform_left_filter_feature_0_value_19 when
+        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_2_1 mod 4) = 0;
+      transform_left_filter_feature_1_choice_99 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value_19) or (not ((transform_left_filter_column_2_1 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_98;
+      transform_left_filter_feature_1_choice_100 := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_20 when transform_left_filter_feature_1_choice_99 else (not
+        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_20;
+      transform_left_filter_feature_1_choice_101 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_21 when transform_left_filter_feature_1_choice_100 else (not
+        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_21;
+      transform_left_filter_feature_1_choice_102 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_22 when transform_left_filter_feature_1_choice_101 else (not
+        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_22;
+      transform_left_filter_feature_1_choice_103 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_23 when transform_left_filter_feature_1_choice_102 else (not
+        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_23;
+      transform_left_filter_feature_1_choice_104 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_24 when transform_left_filter_feature_1_choice_103 else (not
+        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_24;
+      transform_left_filter_feature_1_choice_105 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_2_1 / 128) = 1) when transform_left_filter_feature_1_choice_104 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_2_1 / 128) = 1);
+      transform_left_filter_feature_1_choice_106 := not transform_left_filter_feature_0_value_37 when
+        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_1_2 mod 4) = 0;
+      transform_left_filter_feature_1_choice_107 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value_37) or (not ((transform_left_filter_column_1_2 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_106;
+      transform_left_filter_feature_1_choice_108 := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_38 when transform_left_filter_feature_1_choice_107 else (not
+        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_38;
+      transform_left_filter_feature_1_choice_109 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_39 when transform_left_filter_feature_1_choice_108 else (not
+        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_39;
+      transform_left_filter_feature_1_choice_110 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_40 when transform_left_filter_feature_1_choice_109 else (not
+        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_40;
+      transform_left_filter_feature_1_choice_111 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_41 when transform_left_filter_feature_1_choice_110 else (not
+        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_41;
+      transform_left_filter_feature_1_choice_112 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_42 when transform_left_filter_feature_1_choice_111 else (not
+        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_42;
+      transform_left_filter_feature_1_choice_113 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_1_2 / 128) = 1) when transform_left_filter_feature_1_choice_112 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_1_2 / 128) = 1);
+      transform_left_filter_feature_1_choice_114 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_115 := transform_left_filter_feature_1_choice_114 when
+        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_115 else (not
+        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_116 else (not
+        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_117 else (not
+        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_118 else (not
+        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_119 else (not
+        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_120 else
+        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_122 := not transform_left_filter_feature_0_value_31 when
+        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_1_1 mod 4) = 0;
+      transform_left_filter_feature_1_choice_123 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value_31) or (not ((transform_left_filter_column_1_1 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_122;
+      transform_left_filter_feature_1_choice_124 := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_32 when transform_left_filter_feature_1_choice_123 else (not
+        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_32;
+      transform_left_filter_feature_1_choice_125 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_33 when transform_left_filter_feature_1_choice_124 else (not
+        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_33;
+      transform_left_filter_feature_1_choice_126 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_34 when transform_left_filter_feature_1_choice_125 else (not
+        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_34;
+      transform_left_filter_feature_1_choice_127 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_35 when transform_left_filter_feature_1_choice_126 else (not
+        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_35;
+      transform_left_filter_feature_1_choice_128 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_36 when transform_left_filter_feature_1_choice_127 else (not
+        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_36;
+      transform_left_filter_feature_1_choice_129 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_1_1 / 128) = 1) when transform_left_filter_feature_1_choice_128 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_1_1 / 128) = 1);
+      transform_left_filter_feature_1_choice_130 := not transform_left_filter_feature_0_value_49 when
+        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_0_2 mod 4) = 0;
+      transform_left_filter_feature_1_choice_131 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value_49) or (not ((transform_left_filter_column_0_2 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_130;
+      transform_left_filter_feature_1_choice_132 := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_50 when transform_left_filter_feature_1_choice_131 else (not
+        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_50;
+      transform_left_filter_feature_1_choice_133 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_51 when transform_left_filter_feature_1_choice_132 else (not
+        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_51;
+      transform_left_filter_feature_1_choice_134 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_52 when transform_left_filter_feature_1_choice_133 else (not
+        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_52;
+      transform_left_filter_feature_1_choice_135 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_53 when transform_left_filter_feature_1_choice_134 else (not
+        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_53;
+      transform_left_filter_feature_1_choice_136 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_54 when transform_left_filter_feature_1_choice_135 else (not
+        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_54;
+      transform_left_filter_feature_1_choice_137 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_0_2 / 128) = 1) when transform_left_filter_feature_1_choice_136 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_0_2 / 128) = 1);
+      transform_left_filter_feature_1_choice_138 := transform_left_filter_feature_1_any when
+        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      transform_left_filter_feature_1_choice_139 := transform_left_filter_feature_1_choice_138 when
+        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
+        transform_left_filter_feature_1_is_equal;
+      transform_left_filter_feature_1_choice_140 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_139 else (not
+        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
+      transform_left_filter_feature_1_choice_141 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_140 else (not
+        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
+      transform_left_filter_feature_1_choice_142 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_141 else (not
+        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
+      transform_left_filter_feature_1_choice_143 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_142 else (not
+        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
+      transform_left_filter_feature_1_choice_144 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_143 else (not
+        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
+      transform_left_filter_feature_1_choice_145 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_144 else
+        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
+      transform_left_filter_feature_1_choice_146 := not transform_left_filter_feature_0_value_43 when
+        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_0_1 mod 4) = 0;
+      transform_left_filter_feature_1_choice_147 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value_43) or (not ((transform_left_filter_column_0_1 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_146;
+      transform_left_filter_feature_1_choice_148 := (not transform_left_filter_feature_0_value_14) and
+        transform_left_filter_feature_0_value_44 when transform_left_filter_feature_1_choice_147 else (not
+        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_44;
+      transform_left_filter_feature_1_choice_149 := (not transform_left_filter_feature_0_value_15) or
+        transform_left_filter_feature_0_value_45 when transform_left_filter_feature_1_choice_148 else (not
+        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_45;
+      transform_left_filter_feature_1_choice_150 := (not transform_left_filter_feature_0_value_16) or
+        transform_left_filter_feature_0_value_46 when transform_left_filter_feature_1_choice_149 else (not
+        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_46;
+      transform_left_filter_feature_1_choice_151 := (not transform_left_filter_feature_0_value_17) or
+        transform_left_filter_feature_0_value_47 when transform_left_filter_feature_1_choice_150 else (not
+        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_47;
+      transform_left_filter_feature_1_choice_152 := (not transform_left_filter_feature_0_value_18) or
+        transform_left_filter_feature_0_value_48 when transform_left_filter_feature_1_choice_151 else (not
+        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_48;
+      transform_left_filter_feature_1_choice_153 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_0_1 / 128) = 1) when transform_left_filter_feature_1_choice_152 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_0_1 / 128) = 1);
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_1_choice_154 := (as_number(transform_left_filter_feature_1_choice_137) * 2) +
+          (as_number(transform_left_filter_feature_1_choice_145) * 4) +
+          as_number(transform_left_filter_feature_1_choice_153);
+      else
+        transform_left_filter_feature_1_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_1_choice_155 := (as_number(transform_left_filter_feature_1_choice_113) * 16) +
+          (as_number(transform_left_filter_feature_1_choice_121) * 32) +
+          (as_number(transform_left_filter_feature_1_choice_129) * 8) + transform_left_filter_feature_1_choice_154;
+      else
+        transform_left_filter_feature_1_choice_155 := transform_left_filter_feature_1_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_1_choice_156 := (as_number(transform_left_filter_feature_1_choice_89) * 128) +
+          (as_number(transform_left_filter_feature_1_choice_97) * 256) +
+          (as_number(transform_left_filter_feature_1_choice_105) * 64) + transform_left_filter_feature_1_choice_155;
+      else
+        transform_left_filter_feature_1_choice_156 := transform_left_filter_feature_1_choice_155;
+      end if;
+      transform_left_filter_feature_1_choice_157 := not transform_left_filter_feature_0_value when
+        (transform_left_filter_column_3_2 mod 2) = 1 else transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_1_choice_158 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+        transform_left_filter_feature_0_value) or (not ((transform_left_filter_column_3_1 mod 2) = 1)) when
+        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_157;
+      transform_left_filter_feature_1_choice_159 := transform_left_filter_feature_0_all when
+        transform_left_filter_feature_1_choice_158 else transform_left_filter_feature_0_any_2;
+      transform_left_filter_feature_1_choice_160 := transform_left_filter_feature_0_any_3 when
+        transform_left_filter_feature_1_choice_159 else transform_left_filter_feature_0_all_2;
+      transform_left_filter_feature_1_choice_161 := transform_left_filter_feature_0_any_4 when
+        transform_left_filter_feature_1_choice_160 else transform_left_filter_feature_0_all_3;
+      transform_left_filter_feature_1_choice_162 := transform_left_filter_feature_0_any_5 when
+        transform_left_filter_feature_1_choice_161 else transform_left_filter_feature_0_all_4;
+      transform_left_filter_feature_1_choice_163 := transform_left_filter_feature_0_any_6 when
+        transform_left_filter_feature_1_choice_162 else transform_left_filter_feature_0_all_5;
+      transform_left_filter_feature_1_choice_164 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+        ((transform_left_filter_column_3_1 / 128) = 1) when transform_left_filter_feature_1_choice_163 else (not
+        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_3_1 / 128) = 1);
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_1_choice_165 := transform_left_filter_feature_1_choice_156 +
+          (as_number(transform_left_filter_feature_1_choice_164) * 512);
+      else
+        transform_left_filter_feature_1_choice_165 := transform_left_filter_feature_1_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_left_filter_feature_1_choice_166 := (as_number(transform_left_filter_feature_1_choice_56) * 2048) +
+          (as_number(transform_left_filter_feature_1_choice_64) * 4096) +
+          (as_number(transform_left_filter_feature_1_choice_72) * 8192) +
+          (as_number(transform_left_filter_feature_1_choice_81) * 1024) + transform_left_filter_feature_1_choice_165;
+      else
+        transform_left_filter_feature_1_choice_166 := (as_number(transform_left_filter_feature_1_choice_81) * 1024) +
+          transform_left_filter_feature_1_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_left_filter_feature_1_choice_167 := (as_number(transform_left_filter_feature_1_choice_32) * 16384) +
+          (as_number(transform_left_filter_feature_1_choice_40) * 32768) +
+          (as_number(transform_left_filter_feature_1_choice_48) * 65536) + transform_left_filter_feature_1_choice_166;
+      else
+        transform_left_filter_feature_1_choice_167 := transform_left_filter_feature_1_choice_166;
+      end if;
+      transform_right_filter_feature_0_value := ((transform_right_filter_column_3_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+        ((transform_right_filter_column_3_1 mod 2) = 1));
+      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_3_1 mod 4) = 0;
+      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
+        ((transform_right_filter_column_6_0 / 2) mod 2) = 1 else ((transform_right_filter_column_6_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_3_1 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
+        (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_3_1 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
+        (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_3_1 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
+        (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_3_1 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
+        (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_3_1 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
+        (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
+        ((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_6_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
+        transform_right_filter_feature_0_value_7 else ((transform_right_filter_column_6_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
+        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
+        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
+        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
+        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
+        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
+        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_6_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
+        transform_right_filter_feature_0_value_8 else ((transform_right_filter_column_6_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
+        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
+        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
+        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
+        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
+        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
+        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
+        ((transform_right_filter_column_5_0 / 2) mod 2) = 1 else ((transform_right_filter_column_5_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
+        (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
+        (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
+        (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
+        (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
+        (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
+        ((transform_right_filter_column_5_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_5_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
+        transform_right_filter_feature_0_value_9 else ((transform_right_filter_column_5_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
+        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
+        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
+        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
+        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
+        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
+        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_5_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
+        transform_right_filter_feature_0_value_10 else ((transform_right_filter_column_5_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
+        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
+        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
+        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
+        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
+        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
+        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
+        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
+        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
+        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
+        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
+        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
+        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
+        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_4_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
+        transform_right_filter_feature_0_value_11 else ((transform_right_filter_column_4_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
+        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
+        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
+        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
+        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
+        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
+        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_12 := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
+        transform_right_filter_feature_0_value_12 else ((transform_right_filter_column_4_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
+        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
+        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
+        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
+        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
+        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
+        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_13 := ((transform_right_filter_column_3_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
+        transform_right_filter_feature_0_value_13 else ((transform_right_filter_column_3_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_14 := ((transform_right_filter_column_3_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_all := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_any_2 := (not transform_right_filter_feature_0_value_14) or
+        transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_75 := transform_right_filter_feature_0_all when
+        transform_right_filter_feature_0_choice_74 else transform_right_filter_feature_0_any_2;
+      transform_right_filter_feature_0_value_15 := ((transform_right_filter_column_3_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_any_3 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_all_2 := (not transform_right_filter_feature_0_value_15) and
+        transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_76 := transform_right_filter_feature_0_any_3 when
+        transform_right_filter_feature_0_choice_75 else transform_right_filter_feature_0_all_2;
+      transform_right_filter_feature_0_value_16 := ((transform_right_filter_column_3_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_any_4 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_all_3 := (not transform_right_filter_feature_0_value_16) and
+        transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_77 := transform_right_filter_feature_0_any_4 when
+        transform_right_filter_feature_0_choice_76 else transform_right_filter_feature_0_all_3;
+      transform_right_filter_feature_0_value_17 := ((transform_right_filter_column_3_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_any_5 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_all_4 := (not transform_right_filter_feature_0_value_17) and
+        transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_78 := transform_right_filter_feature_0_any_5 when
+        transform_right_filter_feature_0_choice_77 else transform_right_filter_feature_0_all_4;
+      transform_right_filter_feature_0_value_18 := ((transform_right_filter_column_3_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_any_6 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_all_5 := (not transform_right_filter_feature_0_value_18) and
+        transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_79 := transform_right_filter_feature_0_any_6 when
+        transform_right_filter_feature_0_choice_78 else transform_right_filter_feature_0_all_5;
+      transform_right_filter_feature_0_choice_80 := transform_filtering_column_inside_3 when
+        (transform_right_filter_column_3_2 / 128) = 1 else (not ((transform_right_filter_column_3_1 / 128) = 1)) and
+        transform_filtering_column_inside_3;
+      transform_right_filter_feature_0_choice_81 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) and transform_filtering_column_inside_3 when
+        transform_right_filter_feature_0_choice_79 else transform_right_filter_feature_0_choice_80;
+      transform_right_filter_feature_0_value_19 := ((transform_right_filter_column_2_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_83 := transform_right_filter_feature_0_choice_82 when
+        transform_right_filter_feature_0_value_19 else ((transform_right_filter_column_2_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_20 := ((transform_right_filter_column_2_1 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_84 := (not transform_right_filter_feature_0_value_20) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_83 else (not
+        transform_right_filter_feature_0_value_20) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_21 := ((transform_right_filter_column_2_1 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_85 := (not transform_right_filter_feature_0_value_21) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_84 else (not
+        transform_right_filter_feature_0_value_21) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_22 := ((transform_right_filter_column_2_1 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_86 := (not transform_right_filter_feature_0_value_22) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_85 else (not
+        transform_right_filter_feature_0_value_22) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_23 := ((transform_right_filter_column_2_1 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_87 := (not transform_right_filter_feature_0_value_23) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_86 else (not
+        transform_right_filter_feature_0_value_23) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_24 := ((transform_right_filter_column_2_1 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_88 := (not transform_right_filter_feature_0_value_24) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_87 else (not
+        transform_right_filter_feature_0_value_24) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_88 else
+        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_25 := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90 when
+        transform_right_filter_feature_0_value_25 else ((transform_right_filter_column_2_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_26 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_92 := (not transform_right_filter_feature_0_value_26) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_91 else (not
+        transform_right_filter_feature_0_value_26) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_27 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_93 := (not transform_right_filter_feature_0_value_27) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_92 else (not
+        transform_right_filter_feature_0_value_27) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_28 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_94 := (not transform_right_filter_feature_0_value_28) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_93 else (not
+        transform_right_filter_feature_0_value_28) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_29 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_95 := (not transform_right_filter_feature_0_value_29) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_94 else (not
+        transform_right_filter_feature_0_value_29) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_30 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_96 := (not transform_right_filter_feature_0_value_30) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_95 else (not
+        transform_right_filter_feature_0_value_30) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_96 else
+        ((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98 when
+        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_99 else (not
+        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_100 else (not
+        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_101 else (not
+        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_102 else (not
+        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_103 else (not
+        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_104 else
+        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_31 := ((transform_right_filter_column_1_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106 when
+        transform_right_filter_feature_0_value_31 else ((transform_right_filter_column_1_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_32 := ((transform_right_filter_column_1_1 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_108 := (not transform_right_filter_feature_0_value_32) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_107 else (not
+        transform_right_filter_feature_0_value_32) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_33 := ((transform_right_filter_column_1_1 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_109 := (not transform_right_filter_feature_0_value_33) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_108 else (not
+        transform_right_filter_feature_0_value_33) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_34 := ((transform_right_filter_column_1_1 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_110 := (not transform_right_filter_feature_0_value_34) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_109 else (not
+        transform_right_filter_feature_0_value_34) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_35 := ((transform_right_filter_column_1_1 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_111 := (not transform_right_filter_feature_0_value_35) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_110 else (not
+        transform_right_filter_feature_0_value_35) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_36 := ((transform_right_filter_column_1_1 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_112 := (not transform_right_filter_feature_0_value_36) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_111 else (not
+        transform_right_filter_feature_0_value_36) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_112 else
+        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_37 := ((transform_right_filter_column_1_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114 when
+        transform_right_filter_feature_0_value_37 else ((transform_right_filter_column_1_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_38 := ((transform_right_filter_column_1_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_116 := (not transform_right_filter_feature_0_value_38) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_115 else (not
+        transform_right_filter_feature_0_value_38) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_39 := ((transform_right_filter_column_1_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_117 := (not transform_right_filter_feature_0_value_39) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_116 else (not
+        transform_right_filter_feature_0_value_39) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_40 := ((transform_right_filter_column_1_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_118 := (not transform_right_filter_feature_0_value_40) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_117 else (not
+        transform_right_filter_feature_0_value_40) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_41 := ((transform_right_filter_column_1_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_119 := (not transform_right_filter_feature_0_value_41) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_118 else (not
+        transform_right_filter_feature_0_value_41) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_42 := ((transform_right_filter_column_1_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_120 := (not transform_right_filter_feature_0_value_42) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_119 else (not
+        transform_right_filter_feature_0_value_42) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_120 else
+        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122 when
+        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_123 else (not
+        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_124 else (not
+        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_125 else (not
+        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_126 else (not
+        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_127 else (not
+        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_128 else
+        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_43 := ((transform_right_filter_column_0_1 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130 when
+        transform_right_filter_feature_0_value_43 else ((transform_right_filter_column_0_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_44 := ((transform_right_filter_column_0_1 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_132 := (not transform_right_filter_feature_0_value_44) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_131 else (not
+        transform_right_filter_feature_0_value_44) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_45 := ((transform_right_filter_column_0_1 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_133 := (not transform_right_filter_feature_0_value_45) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_132 else (not
+        transform_right_filter_feature_0_value_45) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_46 := ((transform_right_filter_column_0_1 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_134 := (not transform_right_filter_feature_0_value_46) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_133 else (not
+        transform_right_filter_feature_0_value_46) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_47 := ((transform_right_filter_column_0_1 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_135 := (not transform_right_filter_feature_0_value_47) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_134 else (not
+        transform_right_filter_feature_0_value_47) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_48 := ((transform_right_filter_column_0_1 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_136 := (not transform_right_filter_feature_0_value_48) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_135 else (not
+        transform_right_filter_feature_0_value_48) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_136 else
+        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_value_49 := ((transform_right_filter_column_0_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138 when
+        transform_right_filter_feature_0_value_49 else ((transform_right_filter_column_0_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_50 := ((transform_right_filter_column_0_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_140 := (not transform_right_filter_feature_0_value_50) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_139 else (not
+        transform_right_filter_feature_0_value_50) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_51 := ((transform_right_filter_column_0_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_141 := (not transform_right_filter_feature_0_value_51) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_140 else (not
+        transform_right_filter_feature_0_value_51) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_52 := ((transform_right_filter_column_0_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_142 := (not transform_right_filter_feature_0_value_52) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_141 else (not
+        transform_right_filter_feature_0_value_52) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_53 := ((transform_right_filter_column_0_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_143 := (not transform_right_filter_feature_0_value_53) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_142 else (not
+        transform_right_filter_feature_0_value_53) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_54 := ((transform_right_filter_column_0_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_144 := (not transform_right_filter_feature_0_value_54) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_143 else (not
+        transform_right_filter_feature_0_value_54) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_144 else
+        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      transform_right_filter_feature_0_choice_146 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_right_filter_column_3_1 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
+      transform_right_filter_feature_0_choice_147 := ((transform_right_filter_column_3_1 mod 2) = 1) or (not
+        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
+        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_146;
+      transform_right_filter_feature_0_value_55 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_148 := (not transform_right_filter_feature_0_value_2) and
+        transform_right_filter_feature_0_value_55 when transform_right_filter_feature_0_choice_147 else (not
+        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_55;
+      transform_right_filter_feature_0_value_56 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_149 := (not transform_right_filter_feature_0_value_3) or
+        transform_right_filter_feature_0_value_56 when transform_right_filter_feature_0_choice_148 else (not
+        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_56;
+      transform_right_filter_feature_0_value_57 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_150 := (not transform_right_filter_feature_0_value_4) or
+        transform_right_filter_feature_0_value_57 when transform_right_filter_feature_0_choice_149 else (not
+        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_57;
+      transform_right_filter_feature_0_value_58 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_151 := (not transform_right_filter_feature_0_value_5) or
+        transform_right_filter_feature_0_value_58 when transform_right_filter_feature_0_choice_150 else (not
+        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_58;
+      transform_right_filter_feature_0_value_59 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_152 := (not transform_right_filter_feature_0_value_6) or
+        transform_right_filter_feature_0_value_59 when transform_right_filter_feature_0_choice_151 else (not
+        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_59;
+      transform_right_filter_feature_0_choice_153 := (not ((transform_right_filter_column_3_1 / 128) = 1)) or
+        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_152 else (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_0_choice_154 := (as_number(transform_right_filter_feature_0_choice_137) * 2) +
+          (as_number(transform_right_filter_feature_0_choice_145) * 4) +
+          as_number(transform_right_filter_feature_0_choice_153);
+      else
+        transform_right_filter_feature_0_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_0_choice_155 := (as_number(transform_right_filter_feature_0_choice_113) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_121) * 32) +
+          (as_number(transform_right_filter_feature_0_choice_129) * 8) + transform_right_filter_feature_0_choice_154;
+      else
+        transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_0_choice_156 := (as_number(transform_right_filter_feature_0_choice_89) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_97) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_105) * 64) + transform_right_filter_feature_0_choice_155;
+      else
+        transform_right_filter_feature_0_choice_156 := transform_right_filter_feature_0_choice_155;
+      end if;
+      transform_right_filter_feature_0_choice_157 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_158 := transform_right_filter_feature_0_choice_157 when
+        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_158 else (not
+        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_159 else (not
+        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_161 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_160 else (not
+        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_162 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_161 else (not
+        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_162 else (not
+        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_164 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_163 else
+        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_0_choice_165 := transform_right_filter_feature_0_choice_156 +
+          (as_number(transform_right_filter_feature_0_choice_164) * 512);
+      else
+        transform_right_filter_feature_0_choice_165 := transform_right_filter_feature_0_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_right_filter_feature_0_choice_166 := (as_number(transform_right_filter_feature_0_choice_56) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_64) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_72) * 8192) +
+          (as_number(transform_right_filter_feature_0_choice_81) * 1024) + transform_right_filter_feature_0_choice_165;
+      else
+        transform_right_filter_feature_0_choice_166 := (as_number(transform_right_filter_feature_0_choice_81) * 1024) +
+          transform_right_filter_feature_0_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_right_filter_feature_0_choice_167 := (as_number(transform_right_filter_feature_0_choice_32) * 16384)
+          + (as_number(transform_right_filter_feature_0_choice_40) * 32768) +
+          (as_number(transform_right_filter_feature_0_choice_48) * 65536) + transform_right_filter_feature_0_choice_166;
+      else
+        transform_right_filter_feature_0_choice_167 := transform_right_filter_feature_0_choice_166;
+      end if;
+      transform_right_filter_feature_1_any := (not transform_right_filter_feature_0_value_13) or (not
+        ((transform_right_filter_column_3_2 mod 2) = 1));
+      transform_right_filter_feature_1_choice := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_is_equal := (transform_right_filter_column_3_2 mod 4) = 0;
+      transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice when
+        transform_right_filter_feature_0_value_7 else ((transform_right_filter_column_6_1 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_3 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_2 else (not
+        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_4 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_3 else (not
+        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_5 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_4 else (not
+        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_6 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_5 else (not
+        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_7 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_6 else (not
+        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_8 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_7 else
+        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_9 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_10 := transform_right_filter_feature_1_choice_9 when
+        transform_right_filter_feature_0_value_8 else ((transform_right_filter_column_6_2 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_11 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_10 else (not
+        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_12 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_11 else (not
+        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_13 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_12 else (not
+        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_14 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_13 else (not
+        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_15 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_14 else (not
+        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_16 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_15 else
+        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_17 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_6_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_18 := transform_right_filter_feature_1_choice_17 when
+        ((transform_right_filter_column_6_3 / 2) mod 2) = 1 else ((transform_right_filter_column_6_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_19 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_18 else (not
+        (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_20 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_19 else (not
+        (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_21 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_20 else (not
+        (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_22 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_21 else (not
+        (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_23 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_22 else (not
+        (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_24 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_23 else
+        ((transform_right_filter_column_6_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_25 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_26 := transform_right_filter_feature_1_choice_25 when
+        transform_right_filter_feature_0_value_9 else ((transform_right_filter_column_5_1 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_27 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_26 else (not
+        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_28 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_27 else (not
+        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_29 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_28 else (not
+        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_30 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_29 else (not
+        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_31 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_30 else (not
+        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_32 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_31 else
+        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_33 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_34 := transform_right_filter_feature_1_choice_33 when
+        transform_right_filter_feature_0_value_10 else ((transform_right_filter_column_5_2 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_35 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_34 else (not
+        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_36 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_35 else (not
+        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_37 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_36 else (not
+        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_38 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_37 else (not
+        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_39 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_38 else (not
+        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_40 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_39 else
+        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_41 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_5_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_42 := transform_right_filter_feature_1_choice_41 when
+        ((transform_right_filter_column_5_3 / 2) mod 2) = 1 else ((transform_right_filter_column_5_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_43 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_42 else (not
+        (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_44 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_43 else (not
+        (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_45 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_44 else (not
+        (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_46 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_45 else (not
+        (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_47 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_46 else (not
+        (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_48 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_47 else
+        ((transform_right_filter_column_5_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_49 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_50 := transform_right_filter_feature_1_choice_49 when
+        transform_right_filter_feature_0_value_11 else ((transform_right_filter_column_4_1 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_51 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_50 else (not
+        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_52 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_51 else (not
+        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_53 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_52 else (not
+        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_54 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_53 else (not
+        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_55 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_54 else (not
+        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_56 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_55 else
+        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_57 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_58 := transform_right_filter_feature_1_choice_57 when
+        transform_right_filter_feature_0_value_12 else ((transform_right_filter_column_4_2 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_59 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_58 else (not
+        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_60 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_59 else (not
+        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_61 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_60 else (not
+        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_62 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_61 else (not
+        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_63 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_62 else (not
+        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_64 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_63 else
+        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_65 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_66 := transform_right_filter_feature_1_choice_65 when
+        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_67 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_66 else (not
+        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_68 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_67 else (not
+        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_69 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_68 else (not
+        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_70 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_69 else (not
+        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_71 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_70 else (not
+        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_72 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_71 else
+        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_73 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_74 := transform_right_filter_feature_1_choice_73 when
+        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_75 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_74 else (not
+        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_76 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_75 else (not
+        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_77 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_76 else (not
+        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_78 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_77 else (not
+        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_79 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_78 else (not
+        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_80 := transform_filtering_column_inside_3 when
+        (transform_right_filter_column_3_3 / 128) = 1 else (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+        transform_filtering_column_inside_3;
+      transform_right_filter_feature_1_choice_81 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and transform_filtering_column_inside_3 when
+        transform_right_filter_feature_1_choice_79 else transform_right_filter_feature_1_choice_80;
+      transform_right_filter_feature_1_choice_82 := not transform_right_filter_feature_0_value_25 when
+        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_2_2 mod 4) = 0;
+      transform_right_filter_feature_1_choice_83 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value_25) or (not ((transform_right_filter_column_2_2 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_82;
+      transform_right_filter_feature_1_choice_84 := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_26 when transform_right_filter_feature_1_choice_83 else (not
+        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_26;
+      transform_right_filter_feature_1_choice_85 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_27 when transform_right_filter_feature_1_choice_84 else (not
+        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_27;
+      transform_right_filter_feature_1_choice_86 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_28 when transform_right_filter_feature_1_choice_85 else (not
+        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_28;
+      transform_right_filter_feature_1_choice_87 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_29 when transform_right_filter_feature_1_choice_86 else (not
+        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_29;
+      transform_right_filter_feature_1_choice_88 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_30 when transform_right_filter_feature_1_choice_87 else (not
+        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_30;
+      transform_right_filter_feature_1_choice_89 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_2_2 / 128) = 1) when transform_right_filter_feature_1_choice_88 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_2_2 / 128) = 1);
+      transform_right_filter_feature_1_choice_90 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_91 := transform_right_filter_feature_1_choice_90 when
+        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_92 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_91 else (not
+        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_93 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_92 else (not
+        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_94 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_93 else (not
+        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_95 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_94 else (not
+        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_96 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_95 else (not
+        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_97 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_96 else
+        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_98 := not transform_right_filter_feature_0_value_19 when
+        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_2_1 mod 4) = 0;
+      transform_right_filter_feature_1_choice_99 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value_19) or (not ((transform_right_filter_column_2_1 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_98;
+      transform_right_filter_feature_1_choice_100 := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_20 when transform_right_filter_feature_1_choice_99 else (not
+        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_20;
+      transform_right_filter_feature_1_choice_101 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_21 when transform_right_filter_feature_1_choice_100 else (not
+        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_21;
+      transform_right_filter_feature_1_choice_102 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_22 when transform_right_filter_feature_1_choice_101 else (not
+        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_22;
+      transform_right_filter_feature_1_choice_103 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_23 when transform_right_filter_feature_1_choice_102 else (not
+        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_23;
+      transform_right_filter_feature_1_choice_104 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_24 when transform_right_filter_feature_1_choice_103 else (not
+        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_24;
+      transform_right_filter_feature_1_choice_105 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_2_1 / 128) = 1) when transform_right_filter_feature_1_choice_104 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_2_1 / 128) = 1);
+      transform_right_filter_feature_1_choice_106 := not transform_right_filter_feature_0_value_37 when
+        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_1_2 mod 4) = 0;
+      transform_right_filter_feature_1_choice_107 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value_37) or (not ((transform_right_filter_column_1_2 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_106;
+      transform_right_filter_feature_1_choice_108 := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_38 when transform_right_filter_feature_1_choice_107 else (not
+        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_38;
+      transform_right_filter_feature_1_choice_109 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_39 when transform_right_filter_feature_1_choice_108 else (not
+        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_39;
+      transform_right_filter_feature_1_choice_110 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_40 when transform_right_filter_feature_1_choice_109 else (not
+        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_40;
+      transform_right_filter_feature_1_choice_111 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_41 when transform_right_filter_feature_1_choice_110 else (not
+        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_41;
+      transform_right_filter_feature_1_choice_112 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_42 when transform_right_filter_feature_1_choice_111 else (not
+        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_42;
+      transform_right_filter_feature_1_choice_113 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_1_2 / 128) = 1) when transform_right_filter_feature_1_choice_112 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_1_2 / 128) = 1);
+      transform_right_filter_feature_1_choice_114 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_115 := transform_right_filter_feature_1_choice_114 when
+        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_115 else (not
+        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_116 else (not
+        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_117 else (not
+        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_118 else (not
+        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_119 else (not
+        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_120 else
+        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_122 := not transform_right_filter_feature_0_value_31 when
+        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_1_1 mod 4) = 0;
+      transform_right_filter_feature_1_choice_123 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value_31) or (not ((transform_right_filter_column_1_1 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_122;
+      transform_right_filter_feature_1_choice_124 := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_32 when transform_right_filter_feature_1_choice_123 else (not
+        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_32;
+      transform_right_filter_feature_1_choice_125 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_33 when transform_right_filter_feature_1_choice_124 else (not
+        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_33;
+      transform_right_filter_feature_1_choice_126 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_34 when transform_right_filter_feature_1_choice_125 else (not
+        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_34;
+      transform_right_filter_feature_1_choice_127 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_35 when transform_right_filter_feature_1_choice_126 else (not
+        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_35;
+      transform_right_filter_feature_1_choice_128 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_36 when transform_right_filter_feature_1_choice_127 else (not
+        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_36;
+      transform_right_filter_feature_1_choice_129 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_1_1 / 128) = 1) when transform_right_filter_feature_1_choice_128 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_1_1 / 128) = 1);
+      transform_right_filter_feature_1_choice_130 := not transform_right_filter_feature_0_value_49 when
+        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_0_2 mod 4) = 0;
+      transform_right_filter_feature_1_choice_131 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value_49) or (not ((transform_right_filter_column_0_2 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_130;
+      transform_right_filter_feature_1_choice_132 := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_50 when transform_right_filter_feature_1_choice_131 else (not
+        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_50;
+      transform_right_filter_feature_1_choice_133 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_51 when transform_right_filter_feature_1_choice_132 else (not
+        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_51;
+      transform_right_filter_feature_1_choice_134 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_52 when transform_right_filter_feature_1_choice_133 else (not
+        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_52;
+      transform_right_filter_feature_1_choice_135 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_53 when transform_right_filter_feature_1_choice_134 else (not
+        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_53;
+      transform_right_filter_feature_1_choice_136 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_54 when transform_right_filter_feature_1_choice_135 else (not
+        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_54;
+      transform_right_filter_feature_1_choice_137 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_0_2 / 128) = 1) when transform_right_filter_feature_1_choice_136 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_0_2 / 128) = 1);
+      transform_right_filter_feature_1_choice_138 := transform_right_filter_feature_1_any when
+        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      transform_right_filter_feature_1_choice_139 := transform_right_filter_feature_1_choice_138 when
+        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
+        transform_right_filter_feature_1_is_equal;
+      transform_right_filter_feature_1_choice_140 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_139 else (not
+        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
+      transform_right_filter_feature_1_choice_141 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_140 else (not
+        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
+      transform_right_filter_feature_1_choice_142 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_141 else (not
+        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
+      transform_right_filter_feature_1_choice_143 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_142 else (not
+        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
+      transform_right_filter_feature_1_choice_144 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_143 else (not
+        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
+      transform_right_filter_feature_1_choice_145 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_144 else
+        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
+      transform_right_filter_feature_1_choice_146 := not transform_right_filter_feature_0_value_43 when
+        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_0_1 mod 4) = 0;
+      transform_right_filter_feature_1_choice_147 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value_43) or (not ((transform_right_filter_column_0_1 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_146;
+      transform_right_filter_feature_1_choice_148 := (not transform_right_filter_feature_0_value_14) and
+        transform_right_filter_feature_0_value_44 when transform_right_filter_feature_1_choice_147 else (not
+        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_44;
+      transform_right_filter_feature_1_choice_149 := (not transform_right_filter_feature_0_value_15) or
+        transform_right_filter_feature_0_value_45 when transform_right_filter_feature_1_choice_148 else (not
+        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_45;
+      transform_right_filter_feature_1_choice_150 := (not transform_right_filter_feature_0_value_16) or
+        transform_right_filter_feature_0_value_46 when transform_right_filter_feature_1_choice_149 else (not
+        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_46;
+      transform_right_filter_feature_1_choice_151 := (not transform_right_filter_feature_0_value_17) or
+        transform_right_filter_feature_0_value_47 when transform_right_filter_feature_1_choice_150 else (not
+        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_47;
+      transform_right_filter_feature_1_choice_152 := (not transform_right_filter_feature_0_value_18) or
+        transform_right_filter_feature_0_value_48 when transform_right_filter_feature_1_choice_151 else (not
+        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_48;
+      transform_right_filter_feature_1_choice_153 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_0_1 / 128) = 1) when transform_right_filter_feature_1_choice_152 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_0_1 / 128) = 1);
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_1_choice_154 := (as_number(transform_right_filter_feature_1_choice_137) * 2) +
+          (as_number(transform_right_filter_feature_1_choice_145) * 4) +
+          as_number(transform_right_filter_feature_1_choice_153);
+      else
+        transform_right_filter_feature_1_choice_154 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_1_choice_155 := (as_number(transform_right_filter_feature_1_choice_113) * 16) +
+          (as_number(transform_right_filter_feature_1_choice_121) * 32) +
+          (as_number(transform_right_filter_feature_1_choice_129) * 8) + transform_right_filter_feature_1_choice_154;
+      else
+        transform_right_filter_feature_1_choice_155 := transform_right_filter_feature_1_choice_154;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_1_choice_156 := (as_number(transform_right_filter_feature_1_choice_89) * 128) +
+          (as_number(transform_right_filter_feature_1_choice_97) * 256) +
+          (as_number(transform_right_filter_feature_1_choice_105) * 64) + transform_right_filter_feature_1_choice_155;
+      else
+        transform_right_filter_feature_1_choice_156 := transform_right_filter_feature_1_choice_155;
+      end if;
+      transform_right_filter_feature_1_choice_157 := not transform_right_filter_feature_0_value when
+        (transform_right_filter_column_3_2 mod 2) = 1 else transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_1_choice_158 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+        transform_right_filter_feature_0_value) or (not ((transform_right_filter_column_3_1 mod 2) = 1)) when
+        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_157;
+      transform_right_filter_feature_1_choice_159 := transform_right_filter_feature_0_all when
+        transform_right_filter_feature_1_choice_158 else transform_right_filter_feature_0_any_2;
+      transform_right_filter_feature_1_choice_160 := transform_right_filter_feature_0_any_3 when
+        transform_right_filter_feature_1_choice_159 else transform_right_filter_feature_0_all_2;
+      transform_right_filter_feature_1_choice_161 := transform_right_filter_feature_0_any_4 when
+        transform_right_filter_feature_1_choice_160 else transform_right_filter_feature_0_all_3;
+      transform_right_filter_feature_1_choice_162 := transform_right_filter_feature_0_any_5 when
+        transform_right_filter_feature_1_choice_161 else transform_right_filter_feature_0_all_4;
+      transform_right_filter_feature_1_choice_163 := transform_right_filter_feature_0_any_6 when
+        transform_right_filter_feature_1_choice_162 else transform_right_filter_feature_0_all_5;
+      transform_right_filter_feature_1_choice_164 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+        ((transform_right_filter_column_3_1 / 128) = 1) when transform_right_filter_feature_1_choice_163 else (not
+        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_3_1 / 128) = 1);
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_1_choice_165 := transform_right_filter_feature_1_choice_156 +
+          (as_number(transform_right_filter_feature_1_choice_164) * 512);
+      else
+        transform_right_filter_feature_1_choice_165 := transform_right_filter_feature_1_choice_156;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_right_filter_feature_1_choice_166 := (as_number(transform_right_filter_feature_1_choice_56) * 2048) +
+          (as_number(transform_right_filter_feature_1_choice_64) * 4096) +
+          (as_number(transform_right_filter_feature_1_choice_72) * 8192) +
+          (as_number(transform_right_filter_feature_1_choice_81) * 1024) + transform_right_filter_feature_1_choice_165;
+      else
+        transform_right_filter_feature_1_choice_166 := (as_number(transform_right_filter_feature_1_choice_81) * 1024) +
+          transform_right_filter_feature_1_choice_165;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_right_filter_feature_1_choice_167 := (as_number(transform_right_filter_feature_1_choice_32) * 16384)
+          + (as_number(transform_right_filter_feature_1_choice_40) * 32768) +
+          (as_number(transform_right_filter_feature_1_choice_48) * 65536) + transform_right_filter_feature_1_choice_166;
+      else
+        transform_right_filter_feature_1_choice_167 := transform_right_filter_feature_1_choice_166;
+      end if;
+      transform_left_0 <= in_left_pixel mod 256;
+      transform_left_1 <= in_left_pixel / 256;
+      transform_right_0 <= in_right_pixel mod 256;
+      transform_right_1 <= in_right_pixel / 256;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice * 2 when in_start_of_frame and in_valid else
+        transform_counter_group_choice_4;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_read_newest_1 <= transform_left_1;
+      transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_left_rows_ready_newest_1 <= transform_left_rows_read_newest_1;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_read_newest_1 <= transform_right_1;
+      transform_right_rows_ready_words_0 <= to_integer(transform_right_rows_read_words_0);
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_right_rows_ready_newest_1 <= transform_right_rows_read_newest_1;
+      transform_read_column <= transform_counter_column;
+      transform_read_row_inside_0 <= transform_read_row_inside_0_any;
+      transform_read_row_inside_1 <= transform_read_row_inside_1_any when (transform_counter_group mod 2) = 1 else
+        transform_read_row_inside_0_any;
+      transform_read_row_inside_3 <= transform_read_row_inside_1_any;
+      transform_read_column_inside_0 <= ((transform_counter_column mod 4) = 3) or ((transform_counter_column / 16) = 1)
+        or transform_read_column_inside_0_value or transform_read_column_inside_0_value_2;
+      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
+        transform_read_column_inside_1_is_equal else not transform_read_column_inside_1_all;
+      transform_read_column_inside_2 <= ((transform_counter_column / 4) /= 0) or (not
+        transform_read_column_inside_1_value) or ((transform_counter_column mod 2) = 1);
+      transform_read_column_inside_3 <= true;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal when transform_read_column_inside_1_all
+        else ((transform_counter_column / 16) = 1) or transform_read_column_inside_0_value or
+        transform_read_column_inside_0_value_2;
+      transform_read_column_inside_5 <= transform_read_column_inside_5_choice when (not
+        transform_read_column_inside_0_value) and ((not transform_read_column_inside_0_value_2) or
+        transform_read_column_inside_1_is_equal_2) else not transform_read_column_inside_1_all;
+      transform_read_column_inside_6 <= transform_read_column_inside_1_all when ((not
+        transform_read_column_inside_0_value_2) or (not transform_read_column_inside_1_value)) and
+        ((transform_counter_column / 8) = 0) else not transform_read_column_inside_1_all;
+      transform_read_start_of_frame <= (transform_counter_column = 3) and (transform_counter_group = 1);
+      transform_read_valid <= transform_valid;
+      transform_ready_column <= transform_read_column;
+      transform_ready_row_inside_0 <= transform_read_row_inside_0;
+      transform_ready_row_inside_1 <= transform_read_row_inside_1;
+      transform_ready_row_inside_3 <= transform_read_row_inside_3;
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_1 <= transform_read_column_inside_1;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_column_inside_3 <= transform_read_column_inside_3;
+      transform_ready_column_inside_4 <= transform_read_column_inside_4;
+      transform_ready_column_inside_5 <= transform_read_column_inside_5;
+      transform_ready_column_inside_6 <= transform_read_column_inside_6;
+      transform_ready_start_of_frame <= transform_read_start_of_frame;
+      transform_ready_valid <= transform_read_valid;
+      transform_left_column_0 <= transform_left_rows_ready_words_0 mod 256;
+      transform_left_column_1 <= (transform_left_rows_ready_words_0 / 256) mod 256;
+      transform_left_column_2 <= transform_left_rows_ready_words_0 / 65536;
+      transform_left_column_3 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= transform_right_rows_ready_words_0 mod 256;
+      transform_right_column_1 <= (transform_right_rows_ready_words_0 / 256) mod 256;
+      transform_right_column_2 <= transform_right_rows_ready_words_0 / 65536;
+      transform_right_column_3 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_1 <= transform_ready_row_inside_1;
+      transform_columns_row_inside_3 <= transform_ready_row_inside_3;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_1 <= transform_ready_column_inside_1;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_column_inside_3 <= transform_ready_column_inside_3;
+      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
+      transform_columns_column_inside_5 <= transform_ready_column_inside_5;
+      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
+      transform_columns_start_of_frame <= transform_ready_start_of_frame;
+      transform_columns_valid <= transform_ready_valid;
+      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice_16) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice_24) * 524288) + transform_left_filter_feature_0_choice_167
+        when transform_filtering_column_inside_6 else transform_left_filter_feature_0_choice_167;
+      transform_left_filter_feature_1 <= (as_number(transform_left_filter_feature_1_choice_8) * 131072) +
+        (as_number(transform_left_filter_feature_1_choice_16) * 262144) +
+        (as_number(transform_left_filter_feature_1_choice_24) * 524288) + transform_left_filter_feature_1_choice_167
+        when transform_filtering_column_inside_6 else transform_left_filter_feature_1_choice_167;
+      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice_16) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice_24) * 524288) + transform_right_filter_feature_0_choice_167
+        when transform_filtering_column_inside_6 else transform_right_filter_feature_0_choice_167;
+      transform_right_filter_feature_1 <= (as_number(transform_right_filter_feature_1_choice_8) * 131072) +
+        (as_number(transform_right_filter_feature_1_choice_16) * 262144) +
+        (as_number(transform_right_filter_feature_1_choice_24) * 524288) + transform_right_filter_feature_1_choice_167
+        when transform_filtering_column_inside_6 else transform_right_filter_feature_1_choice_167;
+      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_column_inside_5 <= transform_columns_column_inside_5;
+      transform_filtering_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_valid <= transform_columns_valid;
+      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
+      transform_filtered_valid <= transform_filtering_valid;
+      if in_valid then
+        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
+          (transform_counter_column + 1) mod 32;
+      end if;
+      transform_counter_next_frame_is_equal := raster_place_column = 31;
+      transform_counter_next_frame_all := transform_counter_next_frame_is_equal and (raster_place_group = 5);
+      transform_counter_next_frame_is_equal_2 := (raster_place_group / 2) = 3;
+      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
+        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
+      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
+        transform_counter_next_frame_is_equal else transform_counter_next_frame;
+      if transform_filtered_valid then
+        transform_counter_next_frame <= transform_counter_next_frame_all when transform_filtered_start_of_frame else
+          transform_counter_next_frame_choice_2;
+      end if;
+      if transform_ready_valid then
+        transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 65536) +
+          (transform_left_rows_ready_newest_0 * 256) + (transform_left_rows_ready_newest_1 * 65536);
+        transform_right_rows_write_words_0 <= (transform_right_rows_ready_words_0 / 65536) +
+          (transform_right_rows_ready_newest_0 * 256) + (transform_right_rows_ready_newest_1 * 65536);
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_columns_valid then
+        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
+        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
+        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_1 else 0;
+        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
+        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
+        transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
+        transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
+        transform_left_filter_column_1_3 <= transform_left_filter_column_0_3;
+        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
+        transform_left_filter_column_2_1 <= transform_left_filter_column_1_1;
+        transform_left_filter_column_2_2 <= transform_left_filter_column_1_2;
+        transform_left_filter_column_2_3 <= transform_left_filter_column_1_3;
+        transform_left_filter_column_3_0 <= transform_left_filter_column_2_0;
+        transform_left_filter_column_3_1 <= transform_left_filter_column_2_1;
+        transform_left_filter_column_3_2 <= transform_left_filter_column_2_2;
+        transform_left_filter_column_3_3 <= transform_left_filter_column_2_3;
+        transform_left_filter_column_4_0 <= transform_left_filter_column_3_0;
+        transform_left_filter_column_4_1 <= transform_left_filter_column_3_1;
+        transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
+        transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
+        transform_left_filter_column_5_0 <= transform_left_filter_column_4_0;
+        transform_left_filter_column_5_1 <= transform_left_filter_column_4_1;
+        transform_left_filter_column_5_2 <= transform_left_filter_column_4_2;
+        transform_left_filter_column_5_3 <= transform_left_filter_column_4_3;
+        transform_left_filter_column_6_0 <= transform_left_filter_column_5_0;
+        transform_left_filter_column_6_1 <= transform_left_filter_column_5_1;
+        transform_left_filter_column_6_2 <= transform_left_filter_column_5_2;
+        transform_left_filter_column_6_3 <= transform_left_filter_column_5_3;
+        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
+        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
+        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_1 else 0;
+        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
+        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
+        transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
+        transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
+        transform_right_filter_column_1_3 <= transform_right_filter_column_0_3;
+        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+        transform_right_filter_column_2_1 <= transform_right_filter_column_1_1;
+        transform_right_filter_column_2_2 <= transform_right_filter_column_1_2;
+        transform_right_filter_column_2_3 <= transform_right_filter_column_1_3;
+        transform_right_filter_column_3_0 <= transform_right_filter_column_2_0;
+        transform_right_filter_column_3_1 <= transform_right_filter_column_2_1;
+        transform_right_filter_column_3_2 <= transform_right_filter_column_2_2;
+        transform_right_filter_column_3_3 <= transform_right_filter_column_2_3;
+        transform_right_filter_column_4_0 <= transform_right_filter_column_3_0;
+        transform_right_filter_column_4_1 <= transform_right_filter_column_3_1;
+        transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
+        transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
+        transform_right_filter_column_5_0 <= transform_right_filter_column_4_0;
+        transform_right_filter_column_5_1 <= transform_right_filter_column_4_1;
+        transform_right_filter_column_5_2 <= transform_right_filter_column_4_2;
+        transform_right_filter_column_5_3 <= transform_right_filter_column_4_3;
+        transform_right_filter_column_6_0 <= transform_right_filter_column_5_0;
+        transform_right_filter_column_6_1 <= transform_right_filter_column_5_1;
+        transform_right_filter_column_6_2 <= transform_right_filter_column_5_2;
+        transform_right_filter_column_6_3 <= transform_right_filter_column_5_3;
+      end if;
+      -- raster
+      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
+      raster_place_group_choice_2 := transform_filtered_valid and (not ((raster_place_group mod 2) = 1)) when
+        transform_counter_next_frame_is_equal_2 else transform_filtered_valid;
+      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 6) else
+        (raster_place_group + 1) mod 8;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when transform_counter_next_frame_is_equal and
+        raster_place_group_choice_2 else raster_place_group;
+      raster_features_search_0 <= transform_left_filter_feature_0;
+      raster_features_search_1 <= transform_left_filter_feature_1;
+      raster_features_reference_0 <= transform_right_filter_feature_0;
+      raster_features_reference_1 <= transform_right_filter_feature_1;
+      raster_features_valid <= transform_filtered_valid;
+      raster_place_group <= raster_place_group_choice * 2 when transform_filtered_start_of_frame and
+        transform_filtered_valid else raster_place_group_choice_4;
+      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((transform_counter_group mod 2) = 1)
+        when transform_counter_group_is_equal_2 else raster_features_start_of_frame;
+      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
+        transform_counter_group_is_equal else raster_features_start_of_frame;
+      if in_valid then
+        raster_features_start_of_frame <= transform_counter_group_all when in_start_of_frame else
+          raster_features_start_of_frame_choice_2;
+      end if;
+      if transform_filtered_valid then
+        raster_place_column <= 0 when transform_counter_next_frame_is_equal or transform_filtered_start_of_frame else
+          (raster_place_column + 1) mod 32;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
+      delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
+      delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
+      delay_ahead_0 <= raster_features_search_0;
+      delay_ahead_1 <= raster_features_search_1;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_any;
+      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
+      delay_row_inside_3 <= delay_row_inside_1_any;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
+        (raster_place_column / 8) = 0;
+      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and (((raster_place_column + 65529) mod
+        65536) < 24);
+      delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_column = 30;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_read_newest_1 <= delay_ahead_1;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_words_2 <= to_integer(rows_search_rows_read_words_2);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_search_rows_ready_newest_1 <= rows_search_rows_read_newest_1;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_read_newest_1 <= to_integer(delay_delayed_1);
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_words_2 <= to_integer(rows_reference_rows_read_words_2);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_reference_rows_ready_newest_1 <= rows_reference_rows_read_newest_1;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_2 when rows_ready_inside_1 else 0;
+      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_2 when rows_ready_inside_1 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= rows_search_rows_ready_words_2;
+        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
+        rows_search_rows_write_words_2 <= rows_search_rows_ready_newest_1;
+        rows_reference_rows_write_words_0 <= rows_reference_rows_ready_words_2;
+        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest_0;
+        rows_reference_rows_write_words_2 <= rows_reference_rows_ready_newest_1;
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= rows_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= rows_search_2;
+        slice0shift_search_3_0 <= slice0shift_search_3_1;
+        slice0shift_search_3_1 <= slice0shift_search_3_2;
+        slice0shift_search_3_2 <= rows_search_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_search_out_3 <= slice0shift_search_3_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_search_0_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
+        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
+      slice0cost_pixels_first_0_0_count_0_value_3 := ((slice0shift_reference_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0_value_4 := ((slice0shift_search_0_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
+        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_search_0_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
+        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_4 := ((slice0shift_search_0_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
+        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
+      slice0cost_pixels_first_0_0_count_1_value_5 := ((slice0shift_reference_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_6 := ((slice0shift_search_0_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
+        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_search_0_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
+        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
+      slice0cost_pixels_first_0_0_count_2_value_3 := ((slice0shift_reference_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_value_4 := ((slice0shift_search_0_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
+        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_search_0_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
+        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_4 := ((slice0shift_search_0_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
+        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
+      slice0cost_pixels_first_0_0_count_3_value_5 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_6 := ((slice0shift_search_0_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
+        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_search_0_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
+        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_4 := ((slice0shift_search_0_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
+        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
+      slice0cost_pixels_first_0_0_count_4_value_5 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_6 := ((slice0shift_search_0_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
+        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_search_0_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
+        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_4 := ((slice0shift_search_0_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
+        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
+      slice0cost_pixels_first_0_0_count_5_value_5 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_6 := ((slice0shift_search_0_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
+        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_6_choice := not ((slice0shift_search_0_0 / 524288) = 1) when
+        (slice0shift_reference_0 / 524288) = 1 else (slice0shift_search_0_0 / 524288) = 1;
+      slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_search_0_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_2 when
+        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
+      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
+        ((slice0shift_search_0_1 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
+      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
+        ((slice0shift_search_0_1 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
+      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
+        ((slice0shift_search_0_1 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
+      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
+        ((slice0shift_search_0_1 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
+      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
+        ((slice0shift_search_0_1 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
+      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
+        ((slice0shift_search_0_1 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
+      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
+        ((slice0shift_search_0_1 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
+      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
+        ((slice0shift_search_0_1 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
+      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
+        ((slice0shift_search_0_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
+      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
+        ((slice0shift_search_0_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
+      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
+        ((slice0shift_search_0_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
+      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
+        ((slice0shift_search_0_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
+      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
+        ((slice0shift_search_0_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
+      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
+        ((slice0shift_search_0_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
+      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
+        ((slice0shift_search_0_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
+      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
+        ((slice0shift_search_0_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
+      slice0cost_pixels_first_0_1_count_6_choice := not ((slice0shift_reference_0 / 524288) = 1) when
+        (slice0shift_search_0_1 / 524288) = 1 else (slice0shift_reference_0 / 524288) = 1;
+      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value when
+        ((slice0shift_search_0_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
+      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
+        ((slice0shift_search_0_2 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
+      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
+        ((slice0shift_search_0_2 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
+      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
+        ((slice0shift_search_0_2 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
+      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
+        ((slice0shift_search_0_2 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
+      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
+        ((slice0shift_search_0_2 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
+      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
+        ((slice0shift_search_0_2 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
+      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
+        ((slice0shift_search_0_2 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
+      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
+        ((slice0shift_search_0_2 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
+      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
+        ((slice0shift_search_0_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
+      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
+        ((slice0shift_search_0_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
+      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
+        ((slice0shift_search_0_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
+      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
+        ((slice0shift_search_0_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
+      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
+        ((slice0shift_search_0_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
+      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
+        ((slice0shift_search_0_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
+      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
+        ((slice0shift_search_0_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
+      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
+        ((slice0shift_search_0_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
+      slice0cost_pixels_first_0_2_count_6_choice := not ((slice0shift_reference_0 / 524288) = 1) when
+        (slice0shift_search_0_2 / 524288) = 1 else (slice0shift_reference_0 / 524288) = 1;
+      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value when
+        ((slice0shift_search_0_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
+      slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_search_1_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
+        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
+      slice0cost_pixels_first_1_0_count_0_value_3 := ((slice0shift_reference_1 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_value_4 := ((slice0shift_search_1_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
+        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_search_1_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
+        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_4 := ((slice0shift_search_1_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
+        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
+      slice0cost_pixels_first_1_0_count_1_value_5 := ((slice0shift_reference_1 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_6 := ((slice0shift_search_1_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
+        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_search_1_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
+        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
+      slice0cost_pixels_first_1_0_count_2_value_3 := ((slice0shift_reference_1 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_value_4 := ((slice0shift_search_1_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
+        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_search_1_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
+        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_4 := ((slice0shift_search_1_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
+        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
+      slice0cost_pixels_first_1_0_count_3_value_5 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_6 := ((slice0shift_search_1_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
+        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_search_1_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
+        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_4 := ((slice0shift_search_1_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
+        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
+      slice0cost_pixels_first_1_0_count_4_value_5 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_6 := ((slice0shift_search_1_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
+        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_search_1_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
+        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_4 := ((slice0shift_search_1_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
+        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
+      slice0cost_pixels_first_1_0_count_5_value_5 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_6 := ((slice0shift_search_1_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
+        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_6_choice := not ((slice0shift_search_1_0 / 524288) = 1) when
+        (slice0shift_reference_1 / 524288) = 1 else (slice0shift_search_1_0 / 524288) = 1;
+      slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_search_1_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_2 when
+        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
+      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
+        ((slice0shift_search_1_1 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
+      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
+        ((slice0shift_search_1_1 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
+      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
+        ((slice0shift_search_1_1 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
+      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
+        ((slice0shift_search_1_1 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
+      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
+        ((slice0shift_search_1_1 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
+      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
+        ((slice0shift_search_1_1 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
+      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
+        ((slice0shift_search_1_1 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
+      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
+        ((slice0shift_search_1_1 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
+      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
+        ((slice0shift_search_1_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
+      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
+        ((slice0shift_search_1_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
+      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
+        ((slice0shift_search_1_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
+      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
+        ((slice0shift_search_1_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
+      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
+        ((slice0shift_search_1_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
+      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
+        ((slice0shift_search_1_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
+      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
+        ((slice0shift_search_1_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
+      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
+        ((slice0shift_search_1_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
+      slice0cost_pixels_first_1_1_count_6_choice := not ((slice0shift_reference_1 / 524288) = 1) when
+        (slice0shift_search_1_1 / 524288) = 1 else (slice0shift_reference_1 / 524288) = 1;
+      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value when
+        ((slice0shift_search_1_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
+      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
+        ((slice0shift_search_1_2 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
+      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
+        ((slice0shift_search_1_2 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
+      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
+        ((slice0shift_search_1_2 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
+      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
+        ((slice0shift_search_1_2 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
+      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
+        ((slice0shift_search_1_2 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
+      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
+        ((slice0shift_search_1_2 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
+      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
+        ((slice0shift_search_1_2 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
+      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
+        ((slice0shift_search_1_2 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
+      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
+        ((slice0shift_search_1_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
+      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
+        ((slice0shift_search_1_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
+      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
+        ((slice0shift_search_1_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
+      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
+        ((slice0shift_search_1_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
+      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
+        ((slice0shift_search_1_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
+      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
+        ((slice0shift_search_1_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
+      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
+        ((slice0shift_search_1_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
+      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
+        ((slice0shift_search_1_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
+      slice0cost_pixels_first_1_2_count_6_choice := not ((slice0shift_reference_1 / 524288) = 1) when
+        (slice0shift_search_1_2 / 524288) = 1 else (slice0shift_reference_1 / 524288) = 1;
+      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value when
+        ((slice0shift_search_1_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
+      slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_search_2_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
+        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
+      slice0cost_pixels_first_2_0_count_0_value_3 := ((slice0shift_reference_2 / 2) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_value_4 := ((slice0shift_search_2_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
+        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_search_2_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
+        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_4 := ((slice0shift_search_2_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
+        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
+      slice0cost_pixels_first_2_0_count_1_value_5 := ((slice0shift_reference_2 / 16) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_6 := ((slice0shift_search_2_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
+        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_search_2_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
+        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
+      slice0cost_pixels_first_2_0_count_2_value_3 := ((slice0shift_reference_2 / 64) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_value_4 := ((slice0shift_search_2_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
+        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_search_2_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
+        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_4 := ((slice0shift_search_2_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
+        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
+      slice0cost_pixels_first_2_0_count_3_value_5 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_6 := ((slice0shift_search_2_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
+        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_search_2_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
+        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_4 := ((slice0shift_search_2_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
+        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
+      slice0cost_pixels_first_2_0_count_4_value_5 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_6 := ((slice0shift_search_2_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
+        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_search_2_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
+        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_4 := ((slice0shift_search_2_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
+        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
+      slice0cost_pixels_first_2_0_count_5_value_5 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_6 := ((slice0shift_search_2_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
+        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_6_choice := not ((slice0shift_search_2_0 / 524288) = 1) when
+        (slice0shift_reference_2 / 524288) = 1 else (slice0shift_search_2_0 / 524288) = 1;
+      slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_search_2_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_2 when
+        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
+      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
+        ((slice0shift_search_2_1 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
+      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
+        ((slice0shift_search_2_1 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
+      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
+        ((slice0shift_search_2_1 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
+      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
+        ((slice0shift_search_2_1 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
+      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
+        ((slice0shift_search_2_1 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
+      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
+        ((slice0shift_search_2_1 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
+      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
+        ((slice0shift_search_2_1 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
+      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
+        ((slice0shift_search_2_1 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
+      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
+        ((slice0shift_search_2_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
+      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
+        ((slice0shift_search_2_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
+      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
+        ((slice0shift_search_2_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
+      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
+        ((slice0shift_search_2_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
+      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
+        ((slice0shift_search_2_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
+      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
+        ((slice0shift_search_2_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
+      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
+        ((slice0shift_search_2_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
+      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
+        ((slice0shift_search_2_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
+      slice0cost_pixels_first_2_1_count_6_choice := not ((slice0shift_reference_2 / 524288) = 1) when
+        (slice0shift_search_2_1 / 524288) = 1 else (slice0shift_reference_2 / 524288) = 1;
+      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value when
+        ((slice0shift_search_2_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
+      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
+        ((slice0shift_search_2_2 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
+      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
+        ((slice0shift_search_2_2 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
+      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
+        ((slice0shift_search_2_2 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
+      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
+        ((slice0shift_search_2_2 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
+      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
+        ((slice0shift_search_2_2 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
+      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
+        ((slice0shift_search_2_2 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
+      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
+        ((slice0shift_search_2_2 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
+      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
+        ((slice0shift_search_2_2 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
+      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
+        ((slice0shift_search_2_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
+      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
+        ((slice0shift_search_2_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
+      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
+        ((slice0shift_search_2_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
+      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
+        ((slice0shift_search_2_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
+      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
+        ((slice0shift_search_2_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
+      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
+        ((slice0shift_search_2_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
+      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
+        ((slice0shift_search_2_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
+      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
+        ((slice0shift_search_2_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
+      slice0cost_pixels_first_2_2_count_6_choice := not ((slice0shift_reference_2 / 524288) = 1) when
+        (slice0shift_search_2_2 / 524288) = 1 else (slice0shift_reference_2 / 524288) = 1;
+      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value when
+        ((slice0shift_search_2_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
+      slice0cost_pixels_first_3_0_count_0_value := ((slice0shift_reference_3 / 4) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_0_value_2 := ((slice0shift_search_3_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_0_choice := not slice0cost_pixels_first_3_0_count_0_value_2 when
+        slice0cost_pixels_first_3_0_count_0_value else slice0cost_pixels_first_3_0_count_0_value_2;
+      slice0cost_pixels_first_3_0_count_0_value_3 := ((slice0shift_reference_3 / 2) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_0_value_4 := ((slice0shift_search_3_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_0_choice_2 := not slice0cost_pixels_first_3_0_count_0_value_4 when
+        slice0cost_pixels_first_3_0_count_0_value_3 else slice0cost_pixels_first_3_0_count_0_value_4;
+      slice0cost_pixels_first_3_0_count_1_value := ((slice0shift_reference_3 / 8) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_1_value_2 := ((slice0shift_search_3_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_1_choice := not slice0cost_pixels_first_3_0_count_1_value_2 when
+        slice0cost_pixels_first_3_0_count_1_value else slice0cost_pixels_first_3_0_count_1_value_2;
+      slice0cost_pixels_first_3_0_count_1_value_3 := ((slice0shift_reference_3 / 32) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_1_value_4 := ((slice0shift_search_3_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_1_choice_2 := not slice0cost_pixels_first_3_0_count_1_value_4 when
+        slice0cost_pixels_first_3_0_count_1_value_3 else slice0cost_pixels_first_3_0_count_1_value_4;
+      slice0cost_pixels_first_3_0_count_1_value_5 := ((slice0shift_reference_3 / 16) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_1_value_6 := ((slice0shift_search_3_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_1_choice_3 := not slice0cost_pixels_first_3_0_count_1_value_6 when
+        slice0cost_pixels_first_3_0_count_1_value_5 else slice0cost_pixels_first_3_0_count_1_value_6;
+      slice0cost_pixels_first_3_0_count_2_value := ((slice0shift_reference_3 / 256) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_2_value_2 := ((slice0shift_search_3_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_2_choice := not slice0cost_pixels_first_3_0_count_2_value_2 when
+        slice0cost_pixels_first_3_0_count_2_value else slice0cost_pixels_first_3_0_count_2_value_2;
+      slice0cost_pixels_first_3_0_count_2_value_3 := ((slice0shift_reference_3 / 64) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_2_value_4 := ((slice0shift_search_3_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_2_choice_2 := not slice0cost_pixels_first_3_0_count_2_value_4 when
+        slice0cost_pixels_first_3_0_count_2_value_3 else slice0cost_pixels_first_3_0_count_2_value_4;
+      slice0cost_pixels_first_3_0_count_3_value := ((slice0shift_reference_3 / 512) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_3_value_2 := ((slice0shift_search_3_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_3_choice := not slice0cost_pixels_first_3_0_count_3_value_2 when
+        slice0cost_pixels_first_3_0_count_3_value else slice0cost_pixels_first_3_0_count_3_value_2;
+      slice0cost_pixels_first_3_0_count_3_value_3 := ((slice0shift_reference_3 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_3_value_4 := ((slice0shift_search_3_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_3_choice_2 := not slice0cost_pixels_first_3_0_count_3_value_4 when
+        slice0cost_pixels_first_3_0_count_3_value_3 else slice0cost_pixels_first_3_0_count_3_value_4;
+      slice0cost_pixels_first_3_0_count_3_value_5 := ((slice0shift_reference_3 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_3_value_6 := ((slice0shift_search_3_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_3_choice_3 := not slice0cost_pixels_first_3_0_count_3_value_6 when
+        slice0cost_pixels_first_3_0_count_3_value_5 else slice0cost_pixels_first_3_0_count_3_value_6;
+      slice0cost_pixels_first_3_0_count_4_value := ((slice0shift_reference_3 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_4_value_2 := ((slice0shift_search_3_0 / 4096) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_4_choice := not slice0cost_pixels_first_3_0_count_4_value_2 when
+        slice0cost_pixels_first_3_0_count_4_value else slice0cost_pixels_first_3_0_count_4_value_2;
+      slice0cost_pixels_first_3_0_count_4_value_3 := ((slice0shift_reference_3 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_4_value_4 := ((slice0shift_search_3_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_4_choice_2 := not slice0cost_pixels_first_3_0_count_4_value_4 when
+        slice0cost_pixels_first_3_0_count_4_value_3 else slice0cost_pixels_first_3_0_count_4_value_4;
+      slice0cost_pixels_first_3_0_count_4_value_5 := ((slice0shift_reference_3 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_4_value_6 := ((slice0shift_search_3_0 / 8192) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_4_choice_3 := not slice0cost_pixels_first_3_0_count_4_value_6 when
+        slice0cost_pixels_first_3_0_count_4_value_5 else slice0cost_pixels_first_3_0_count_4_value_6;
+      slice0cost_pixels_first_3_0_count_5_value := ((slice0shift_reference_3 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_5_value_2 := ((slice0shift_search_3_0 / 32768) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_5_choice := not slice0cost_pixels_first_3_0_count_5_value_2 when
+        slice0cost_pixels_first_3_0_count_5_value else slice0cost_pixels_first_3_0_count_5_value_2;
+      slice0cost_pixels_first_3_0_count_5_value_3 := ((slice0shift_reference_3 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_5_value_4 := ((slice0shift_search_3_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_5_choice_2 := not slice0cost_pixels_first_3_0_count_5_value_4 when
+        slice0cost_pixels_first_3_0_count_5_value_3 else slice0cost_pixels_first_3_0_count_5_value_4;
+      slice0cost_pixels_first_3_0_count_5_value_5 := ((slice0shift_reference_3 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_5_value_6 := ((slice0shift_search_3_0 / 65536) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_5_choice_3 := not slice0cost_pixels_first_3_0_count_5_value_6 when
+        slice0cost_pixels_first_3_0_count_5_value_5 else slice0cost_pixels_first_3_0_count_5_value_6;
+      slice0cost_pixels_first_3_0_count_6_choice := not ((slice0shift_search_3_0 / 524288) = 1) when
+        (slice0shift_reference_3 / 524288) = 1 else (slice0shift_search_3_0 / 524288) = 1;
+      slice0cost_pixels_first_3_0_count_6_value := ((slice0shift_reference_3 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_6_value_2 := ((slice0shift_search_3_0 / 262144) mod 2) = 1;
+      slice0cost_pixels_first_3_0_count_6_choice_2 := not slice0cost_pixels_first_3_0_count_6_value_2 when
+        slice0cost_pixels_first_3_0_count_6_value else slice0cost_pixels_first_3_0_count_6_value_2;
+      slice0cost_pixels_first_3_1_count_0_choice := not slice0cost_pixels_first_3_0_count_0_value when
+        ((slice0shift_search_3_1 / 4) mod 2) = 1 else slice0cost_pixels_first_3_0_count_0_value;
+      slice0cost_pixels_first_3_1_count_0_choice_2 := not slice0cost_pixels_first_3_0_count_0_value_3 when
+        ((slice0shift_search_3_1 / 2) mod 2) = 1 else slice0cost_pixels_first_3_0_count_0_value_3;
+      slice0cost_pixels_first_3_1_count_1_choice := not slice0cost_pixels_first_3_0_count_1_value when
+        ((slice0shift_search_3_1 / 8) mod 2) = 1 else slice0cost_pixels_first_3_0_count_1_value;
+      slice0cost_pixels_first_3_1_count_1_choice_2 := not slice0cost_pixels_first_3_0_count_1_value_3 when
+        ((slice0shift_search_3_1 / 32) mod 2) = 1 else slice0cost_pixels_first_3_0_count_1_value_3;
+      slice0cost_pixels_first_3_1_count_1_choice_3 := not slice0cost_pixels_first_3_0_count_1_value_5 when
+        ((slice0shift_search_3_1 / 16) mod 2) = 1 else slice0cost_pixels_first_3_0_count_1_value_5;
+      slice0cost_pixels_first_3_1_count_2_choice := not slice0cost_pixels_first_3_0_count_2_value when
+        ((slice0shift_search_3_1 / 256) mod 2) = 1 else slice0cost_pixels_first_3_0_count_2_value;
+      slice0cost_pixels_first_3_1_count_2_choice_2 := not slice0cost_pixels_first_3_0_count_2_value_3 when
+        ((slice0shift_search_3_1 / 64) mod 2) = 1 else slice0cost_pixels_first_3_0_count_2_value_3;
+      slice0cost_pixels_first_3_1_count_3_choice := not slice0cost_pixels_first_3_0_count_3_value when
+        ((slice0shift_search_3_1 / 512) mod 2) = 1 else slice0cost_pixels_first_3_0_count_3_value;
+      slice0cost_pixels_first_3_1_count_3_choice_2 := not slice0cost_pixels_first_3_0_count_3_value_3 when
+        ((slice0shift_search_3_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_3_0_count_3_value_3;
+      slice0cost_pixels_first_3_1_count_3_choice_3 := not slice0cost_pixels_first_3_0_count_3_value_5 when
+        ((slice0shift_search_3_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_3_0_count_3_value_5;
+      slice0cost_pixels_first_3_1_count_4_choice := not slice0cost_pixels_first_3_0_count_4_value when
+        ((slice0shift_search_3_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_3_0_count_4_value;
+      slice0cost_pixels_first_3_1_count_4_choice_2 := not slice0cost_pixels_first_3_0_count_4_value_3 when
+        ((slice0shift_search_3_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_3_0_count_4_value_3;
+      slice0cost_pixels_first_3_1_count_4_choice_3 := not slice0cost_pixels_first_3_0_count_4_value_5 when
+        ((slice0shift_search_3_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_3_0_count_4_value_5;
+      slice0cost_pixels_first_3_1_count_5_choice := not slice0cost_pixels_first_3_0_count_5_value when
+        ((slice0shift_search_3_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_3_0_count_5_value;
+      slice0cost_pixels_first_3_1_count_5_choice_2 := not slice0cost_pixels_first_3_0_count_5_value_3 when
+        ((slice0shift_search_3_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_3_0_count_5_value_3;
+      slice0cost_pixels_first_3_1_count_5_choice_3 := not slice0cost_pixels_first_3_0_count_5_value_5 when
+        ((slice0shift_search_3_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_3_0_count_5_value_5;
+      slice0cost_pixels_first_3_1_count_6_choice := not ((slice0shift_reference_3 / 524288) = 1) when
+        (slice0shift_search_3_1 / 524288) = 1 else (slice0shift_reference_3 / 524288) = 1;
+      slice0cost_pixels_first_3_1_count_6_choice_2 := not slice0cost_pixels_first_3_0_count_6_value when
+        ((slice0shift_search_3_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_3_0_count_6_value;
+      slice0cost_pixels_first_3_2_count_0_choice := not slice0cost_pixels_first_3_0_count_0_value when
+        ((slice0shift_search_3_2 / 4) mod 2) = 1 else slice0cost_pixels_first_3_0_count_0_value;
+      slice0cost_pixels_first_3_2_count_0_choice_2 := not slice0cost_pixels_first_3_0_count_0_value_3 when
+        ((slice0shift_search_3_2 / 2) mod 2) = 1 else slice0cost_pixels_first_3_0_count_0_value_3;
+      slice0cost_pixels_first_3_2_count_1_choice := not slice0cost_pixels_first_3_0_count_1_value when
+        ((slice0shift_search_3_2 / 8) mod 2) = 1 else slice0cost_pixels_first_3_0_count_1_value;
+      slice0cost_pixels_first_3_2_count_1_choice_2 := not slice0cost_pixels_first_3_0_count_1_value_3 when
+        ((slice0shift_search_3_2 / 32) mod 2) = 1 else slice0cost_pixels_first_3_0_count_1_value_3;
+      slice0cost_pixels_first_3_2_count_1_choice_3 := not slice0cost_pixels_first_3_0_count_1_value_5 when
+        ((slice0shift_search_3_2 / 16) mod 2) = 1 else slice0cost_pixels_first_3_0_count_1_value_5;
+      slice0cost_pixels_first_3_2_count_2_choice := not slice0cost_pixels_first_3_0_count_2_value when
+        ((slice0shift_search_3_2 / 256) mod 2) = 1 else slice0cost_pixels_first_3_0_count_2_value;
+      slice0cost_pixels_first_3_2_count_2_choice_2 := not slice0cost_pixels_first_3_0_count_2_value_3 when
+        ((slice0shift_search_3_2 / 64) mod 2) = 1 else slice0cost_pixels_first_3_0_count_2_value_3;
+      slice0cost_pixels_first_3_2_count_3_choice := not slice0cost_pixels_first_3_0_count_3_value when
+        ((slice0shift_search_3_2 / 512) mod 2) = 1 else slice0cost_pixels_first_3_0_count_3_value;
+      slice0cost_pixels_first_3_2_count_3_choice_2 := not slice0cost_pixels_first_3_0_count_3_value_3 when
+        ((slice0shift_search_3_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_3_0_count_3_value_3;
+      slice0cost_pixels_first_3_2_count_3_choice_3 := not slice0cost_pixels_first_3_0_count_3_value_5 when
+        ((slice0shift_search_3_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_3_0_count_3_value_5;
+      slice0cost_pixels_first_3_2_count_4_choice := not slice0cost_pixels_first_3_0_count_4_value when
+        ((slice0shift_search_3_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_3_0_count_4_value;
+      slice0cost_pixels_first_3_2_count_4_choice_2 := not slice0cost_pixels_first_3_0_count_4_value_3 when
+        ((slice0shift_search_3_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_3_0_count_4_value_3;
+      slice0cost_pixels_first_3_2_count_4_choice_3 := not slice0cost_pixels_first_3_0_count_4_value_5 when
+        ((slice0shift_search_3_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_3_0_count_4_value_5;
+      slice0cost_pixels_first_3_2_count_5_choice := not slice0cost_pixels_first_3_0_count_5_value when
+        ((slice0shift_search_3_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_3_0_count_5_value;
+      slice0cost_pixels_first_3_2_count_5_choice_2 := not slice0cost_pixels_first_3_0_count_5_value_3 when
+        ((slice0shift_search_3_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_3_0_count_5_value_3;
+      slice0cost_pixels_first_3_2_count_5_choice_3 := not slice0cost_pixels_first_3_0_count_5_value_5 when
+        ((slice0shift_search_3_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_3_0_count_5_value_5;
+      slice0cost_pixels_first_3_2_count_6_choice := not ((slice0shift_reference_3 / 524288) = 1) when
+        (slice0shift_search_3_2 / 524288) = 1 else (slice0shift_reference_3 / 524288) = 1;
+      slice0cost_pixels_first_3_2_count_6_choice_2 := not slice0cost_pixels_first_3_0_count_6_value when
+        ((slice0shift_search_3_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_3_0_count_6_value;
+      slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
+      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+      slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
+      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
+      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
+      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
+      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_6_choice_2);
+      slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
+      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+      slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
+      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
+      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
+      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
+      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_6_choice_2);
+      slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
+      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+      slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
+      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
+      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
+      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
+      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_6_choice_2);
+      slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice) +
+        as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
+      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
+        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+      slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
+      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
+        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
+      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
+        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
+      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
+        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
+      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
+        as_number(slice0cost_pixels_first_1_0_count_6_choice_2);
+      slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice) +
+        as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
+      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
+        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+      slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
+      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
+        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
+      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
+        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
+      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
+        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
+      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
+        as_number(slice0cost_pixels_first_1_1_count_6_choice_2);
+      slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice) +
+        as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
+      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
+        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+      slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
+      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
+        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
+      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
+        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
+      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
+        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
+      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
+        as_number(slice0cost_pixels_first_1_2_count_6_choice_2);
+      slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice) +
+        as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
+      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
+        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+      slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
+      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
+        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
+      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
+        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
+      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
+        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
+      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
+        as_number(slice0cost_pixels_first_2_0_count_6_choice_2);
+      slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice) +
+        as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
+      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
+        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+      slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
+      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
+        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
+      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
+        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
+      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
+        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
+      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
+        as_number(slice0cost_pixels_first_2_1_count_6_choice_2);
+      slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice) +
+        as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
+      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
+        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+      slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
+      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
+        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
+      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
+        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
+      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
+        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
+      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
+        as_number(slice0cost_pixels_first_2_2_count_6_choice_2);
+      slice0cost_pixels_first_3_0_count_0 <= as_number((((slice0shift_search_3_0 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(slice0cost_pixels_first_3_0_count_0_choice) +
+        as_number(slice0cost_pixels_first_3_0_count_0_choice_2);
+      slice0cost_pixels_first_3_0_count_1 <= as_number(slice0cost_pixels_first_3_0_count_1_choice) +
+        as_number(slice0cost_pixels_first_3_0_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_3_0_count_1_choice_3);
+      slice0cost_pixels_first_3_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_3_0 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_3_0_count_2_choice) + as_number(slice0cost_pixels_first_3_0_count_2_choice_2);
+      slice0cost_pixels_first_3_0_count_3 <= as_number(slice0cost_pixels_first_3_0_count_3_choice) +
+        as_number(slice0cost_pixels_first_3_0_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_3_0_count_3_choice_3);
+      slice0cost_pixels_first_3_0_count_4 <= as_number(slice0cost_pixels_first_3_0_count_4_choice) +
+        as_number(slice0cost_pixels_first_3_0_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_3_0_count_4_choice_3);
+      slice0cost_pixels_first_3_0_count_5 <= as_number(slice0cost_pixels_first_3_0_count_5_choice) +
+        as_number(slice0cost_pixels_first_3_0_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_3_0_count_5_choice_3);
+      slice0cost_pixels_first_3_0_count_6 <= as_number(slice0cost_pixels_first_3_0_count_6_choice) +
+        as_number(slice0cost_pixels_first_3_0_count_6_choice_2);
+      slice0cost_pixels_first_3_1_count_0 <= as_number((((slice0shift_search_3_1 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(slice0cost_pixels_first_3_1_count_0_choice) +
+        as_number(slice0cost_pixels_first_3_1_count_0_choice_2);
+      slice0cost_pixels_first_3_1_count_1 <= as_number(slice0cost_pixels_first_3_1_count_1_choice) +
+        as_number(slice0cost_pixels_first_3_1_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_3_1_count_1_choice_3);
+      slice0cost_pixels_first_3_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_3_1 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_3_1_count_2_choice) + as_number(slice0cost_pixels_first_3_1_count_2_choice_2);
+      slice0cost_pixels_first_3_1_count_3 <= as_number(slice0cost_pixels_first_3_1_count_3_choice) +
+        as_number(slice0cost_pixels_first_3_1_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_3_1_count_3_choice_3);
+      slice0cost_pixels_first_3_1_count_4 <= as_number(slice0cost_pixels_first_3_1_count_4_choice) +
+        as_number(slice0cost_pixels_first_3_1_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_3_1_count_4_choice_3);
+      slice0cost_pixels_first_3_1_count_5 <= as_number(slice0cost_pixels_first_3_1_count_5_choice) +
+        as_number(slice0cost_pixels_first_3_1_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_3_1_count_5_choice_3);
+      slice0cost_pixels_first_3_1_count_6 <= as_number(slice0cost_pixels_first_3_1_count_6_choice) +
+        as_number(slice0cost_pixels_first_3_1_count_6_choice_2);
+      slice0cost_pixels_first_3_2_count_0 <= as_number((((slice0shift_search_3_2 mod 2) = 1) /=
+        ((slice0shift_reference_3 mod 2) = 1))) + as_number(slice0cost_pixels_first_3_2_count_0_choice) +
+        as_number(slice0cost_pixels_first_3_2_count_0_choice_2);
+      slice0cost_pixels_first_3_2_count_1 <= as_number(slice0cost_pixels_first_3_2_count_1_choice) +
+        as_number(slice0cost_pixels_first_3_2_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_3_2_count_1_choice_3);
+      slice0cost_pixels_first_3_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_3_2 mod 256), 8)) xor
+        (to_unsigned((slice0shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_3_2_count_2_choice) + as_number(slice0cost_pixels_first_3_2_count_2_choice_2);
+      slice0cost_pixels_first_3_2_count_3 <= as_number(slice0cost_pixels_first_3_2_count_3_choice) +
+        as_number(slice0cost_pixels_first_3_2_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_3_2_count_3_choice_3);
+      slice0cost_pixels_first_3_2_count_4 <= as_number(slice0cost_pixels_first_3_2_count_4_choice) +
+        as_number(slice0cost_pixels_first_3_2_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_3_2_count_4_choice_3);
+      slice0cost_pixels_first_3_2_count_5 <= as_number(slice0cost_pixels_first_3_2_count_5_choice) +
+        as_number(slice0cost_pixels_first_3_2_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_3_2_count_5_choice_3);
+      slice0cost_pixels_first_3_2_count_6 <= as_number(slice0cost_pixels_first_3_2_count_6_choice) +
+        as_number(slice0cost_pixels_first_3_2_count_6_choice_2);
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_6 + slice0cost_pixels_first_0_0_count_4 +
+        slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_1 + slice0cost_pixels_first_0_0_count_5
+        + slice0cost_pixels_first_0_0_count_0 + slice0cost_pixels_first_0_0_count_2;
+      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_6 + slice0cost_pixels_first_0_1_count_4 +
+        slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_1 + slice0cost_pixels_first_0_1_count_5
+        + slice0cost_pixels_first_0_1_count_0 + slice0cost_pixels_first_0_1_count_2;
+      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_6 + slice0cost_pixels_first_0_2_count_4 +
+        slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_1 + slice0cost_pixels_first_0_2_count_5
+        + slice0cost_pixels_first_0_2_count_0 + slice0cost_pixels_first_0_2_count_2;
+      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0_count_6 + slice0cost_pixels_first_1_0_count_4 +
+        slice0cost_pixels_first_1_0_count_3 + slice0cost_pixels_first_1_0_count_1 + slice0cost_pixels_first_1_0_count_5
+        + slice0cost_pixels_first_1_0_count_0 + slice0cost_pixels_first_1_0_count_2;
+      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1_count_6 + slice0cost_pixels_first_1_1_count_4 +
+        slice0cost_pixels_first_1_1_count_3 + slice0cost_pixels_first_1_1_count_1 + slice0cost_pixels_first_1_1_count_5
+        + slice0cost_pixels_first_1_1_count_0 + slice0cost_pixels_first_1_1_count_2;
+      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2_count_6 + slice0cost_pixels_first_1_2_count_4 +
+        slice0cost_pixels_first_1_2_count_3 + slice0cost_pixels_first_1_2_count_1 + slice0cost_pixels_first_1_2_count_5
+        + slice0cost_pixels_first_1_2_count_0 + slice0cost_pixels_first_1_2_count_2;
+      slice0cost_pixels_cost_2_0 <= slice0cost_pixels_first_2_0_count_6 + slice0cost_pixels_first_2_0_count_4 +
+        slice0cost_pixels_first_2_0_count_3 + slice0cost_pixels_first_2_0_count_1 + slice0cost_pixels_first_2_0_count_5
+        + slice0cost_pixels_first_2_0_count_0 + slice0cost_pixels_first_2_0_count_2;
+      slice0cost_pixels_cost_2_1 <= slice0cost_pixels_first_2_1_count_6 + slice0cost_pixels_first_2_1_count_4 +
+        slice0cost_pixels_first_2_1_count_3 + slice0cost_pixels_first_2_1_count_1 + slice0cost_pixels_first_2_1_count_5
+        + slice0cost_pixels_first_2_1_count_0 + slice0cost_pixels_first_2_1_count_2;
+      slice0cost_pixels_cost_2_2 <= slice0cost_pixels_first_2_2_count_6 + slice0cost_pixels_first_2_2_count_4 +
+        slice0cost_pixels_first_2_2_count_3 + slice0cost_pixels_first_2_2_count_1 + slice0cost_pixels_first_2_2_count_5
+        + slice0cost_pixels_first_2_2_count_0 + slice0cost_pixels_first_2_2_count_2;
+      slice0cost_pixels_cost_3_0 <= slice0cost_pixels_first_3_0_count_6 + slice0cost_pixels_first_3_0_count_4 +
+        slice0cost_pixels_first_3_0_count_3 + slice0cost_pixels_first_3_0_count_1 + slice0cost_pixels_first_3_0_count_5
+        + slice0cost_pixels_first_3_0_count_0 + slice0cost_pixels_first_3_0_count_2;
+      slice0cost_pixels_cost_3_1 <= slice0cost_pixels_first_3_1_count_6 + slice0cost_pixels_first_3_1_count_4 +
+        slice0cost_pixels_first_3_1_count_3 + slice0cost_pixels_first_3_1_count_1 + slice0cost_pixels_first_3_1_count_5
+        + slice0cost_pixels_first_3_1_count_0 + slice0cost_pixels_first_3_1_count_2;
+      slice0cost_pixels_cost_3_2 <= slice0cost_pixels_first_3_2_count_6 + slice0cost_pixels_first_3_2_count_4 +
+        slice0cost_pixels_first_3_2_count_3 + slice0cost_pixels_first_3_2_count_1 + slice0cost_pixels_first_3_2_count_5
+        + slice0cost_pixels_first_3_2_count_0 + slice0cost_pixels_first_3_2_count_2;
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_0 +
+        slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_1 +
+        slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_2 +
+        slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_1_0 +
+        slice0cost_pixels_cost_2_0 + slice0cost_pixels_cost_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_1_1 +
+        slice0cost_pixels_cost_2_1 + slice0cost_pixels_cost_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_1_2 +
+        slice0cost_pixels_cost_2_2 + slice0cost_pixels_cost_3_2;
+      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
+        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
+        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
+        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
+        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
+        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
+      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
+      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      -- slice0winner1
+      slice0winner1_best_index_0_0_choice := (not (((slice0window_sum_0_1 / 2) mod 2) = 1)) or (not
+        ((slice0window_sum_0_1 mod 2) = 1)) when (slice0window_sum_0_0 mod 2) = 1 else not (((slice0window_sum_0_1 / 2)
+        mod 2) = 1);
+      slice0winner1_best_index_0_0_choice_2 := slice0winner1_best_index_0_0_choice when ((slice0window_sum_0_0 / 2) mod
+        2) = 1 else ((slice0window_sum_0_0 mod 2) = 1) and ((slice0window_sum_0_1 mod 4) = 0);
+      slice0winner1_best_index_0_0_value := ((slice0window_sum_0_1 / 4) mod 2) = 1;
+      slice0winner1_best_index_0_0_choice_3 := (not (((slice0window_sum_0_0 / 4) mod 2) = 1)) and
+        slice0winner1_best_index_0_0_value when slice0winner1_best_index_0_0_choice_2 else (not (((slice0window_sum_0_0
+        / 4) mod 2) = 1)) or slice0winner1_best_index_0_0_value;
+      slice0winner1_best_index_0_0_value_2 := ((slice0window_sum_0_1 / 8) mod 2) = 1;
+      slice0winner1_best_index_0_0_choice_4 := (not (((slice0window_sum_0_0 / 8) mod 2) = 1)) or
+        slice0winner1_best_index_0_0_value_2 when slice0winner1_best_index_0_0_choice_3 else (not
+        (((slice0window_sum_0_0 / 8) mod 2) = 1)) and slice0winner1_best_index_0_0_value_2;
+      slice0winner1_best_index_0_0_value_3 := ((slice0window_sum_0_1 / 16) mod 2) = 1;
+      slice0winner1_best_index_0_0_choice_5 := (not (((slice0window_sum_0_0 / 16) mod 2) = 1)) or
+        slice0winner1_best_index_0_0_value_3 when slice0winner1_best_index_0_0_choice_4 else (not
+        (((slice0window_sum_0_0 / 16) mod 2) = 1)) and slice0winner1_best_index_0_0_value_3;
+      slice0winner1_best_index_0_0_value_4 := ((slice0window_sum_0_1 / 32) mod 2) = 1;
+      slice0winner1_best_index_0_0_choice_6 := (not (((slice0window_sum_0_0 / 32) mod 2) = 1)) or
+        slice0winner1_best_index_0_0_value_4 when slice0winner1_best_index_0_0_choice_5 else (not
+        (((slice0window_sum_0_0 / 32) mod 2) = 1)) and slice0winner1_best_index_0_0_value_4;
+      slice0winner1_best_index_0_0_value_5 := ((slice0window_sum_0_1 / 64) mod 2) = 1;
+      slice0winner1_best_index_0_0_choice_7 := (not (((slice0window_sum_0_0 / 64) mod 2) = 1)) or
+        slice0winner1_best_index_0_0_value_5 when slice0winner1_best_index_0_0_choice_6 else (not
+        (((slice0window_sum_0_0 / 64) mod 2) = 1)) and slice0winner1_best_index_0_0_value_5;
+      slice0winner1_best_index_1_0_choice := (not (((slice0window_sum_1_1 / 2) mod 2) = 1)) or (not
+        ((slice0window_sum_1_1 mod 2) = 1)) when (slice0window_sum_1_0 mod 2) = 1 else not (((slice0window_sum_1_1 / 2)
+        mod 2) = 1);
+      slice0winner1_best_index_1_0_choice_2 := slice0winner1_best_index_1_0_choice when ((slice0window_sum_1_0 / 2) mod
+        2) = 1 else ((slice0window_sum_1_0 mod 2) = 1) and ((slice0window_sum_1_1 mod 4) = 0);
+      slice0winner1_best_index_1_0_value := ((slice0window_sum_1_1 / 4) mod 2) = 1;
+      slice0winner1_best_index_1_0_choice_3 := (not (((slice0window_sum_1_0 / 4) mod 2) = 1)) and
+        slice0winner1_best_index_1_0_value when slice0winner1_best_index_1_0_choice_2 else (not (((slice0window_sum_1_0
+        / 4) mod 2) = 1)) or slice0winner1_best_index_1_0_value;
+      slice0winner1_best_index_1_0_value_2 := ((slice0window_sum_1_1 / 8) mod 2) = 1;
+      slice0winner1_best_index_1_0_choice_4 := (not (((slice0window_sum_1_0 / 8) mod 2) = 1)) or
+        slice0winner1_best_index_1_0_value_2 when slice0winner1_best_index_1_0_choice_3 else (not
+        (((slice0window_sum_1_0 / 8) mod 2) = 1)) and slice0winner1_best_index_1_0_value_2;
+      slice0winner1_best_index_1_0_value_3 := ((slice0window_sum_1_1 / 16) mod 2) = 1;
+      slice0winner1_best_index_1_0_choice_5 := (not (((slice0window_sum_1_0 / 16) mod 2) = 1)) or
+        slice0winner1_best_index_1_0_value_3 when slice0winner1_best_index_1_0_choice_4 else (not
+        (((slice0window_sum_1_0 / 16) mod 2) = 1)) and slice0winner1_best_index_1_0_value_3;
+      slice0winner1_best_index_1_0_value_4 := ((slice0window_sum_1_1 / 32) mod 2) = 1;
+      slice0winner1_best_index_1_0_choice_6 := (not (((slice0window_sum_1_0 / 32) mod 2) = 1)) or
+        slice0winner1_best_index_1_0_value_4 when slice0winner1_best_index_1_0_choice_5 else (not
+        (((slice0window_sum_1_0 / 32) mod 2) = 1)) and slice0winner1_best_index_1_0_value_4;
+      slice0winner1_best_index_1_0_value_5 := ((slice0window_sum_1_1 / 64) mod 2) = 1;
+      slice0winner1_best_index_1_0_choice_7 := (not (((slice0window_sum_1_0 / 64) mod 2) = 1)) or
+        slice0winner1_best_index_1_0_value_5 when slice0winner1_best_index_1_0_choice_6 else (not
+        (((slice0window_sum_1_0 / 64) mod 2) = 1)) and slice0winner1_best_index_1_0_value_5;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0window_sum_0_1 < slice0window_sum_0_0 else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0window_sum_1_1 < slice0window_sum_1_0 else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+      slice0winner1_best_index_0_0 <= ((slice0window_sum_0_0 / 128) = 1) and (not ((slice0window_sum_0_1 / 128) = 1))
+        when slice0winner1_best_index_0_0_choice_7 else ((slice0window_sum_0_0 / 128) = 1) or (not
+        ((slice0window_sum_0_1 / 128) = 1));
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_index_1_0 <= ((slice0window_sum_1_0 / 128) = 1) and (not ((slice0window_sum_1_1 / 128) = 1))
+        when slice0winner1_best_index_1_0_choice_7 else ((slice0window_sum_1_0 / 128) = 1) or (not
+        ((slice0window_sum_1_1 / 128) = 1));
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      end if;
+      -- slice0winner2
+      slice0winner2_best_index_0_0_choice := (not (((slice0winner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+        ((slice0winner1_best_cost_0_1 mod 2) = 1)) when (slice0winner1_best_cost_0_0 mod 2) = 1 else not
+        (((slice0winner1_best_cost_0_1 / 2) mod 2) = 1);
+      slice0winner2_best_index_0_0_choice_2 := slice0winner2_best_index_0_0_choice when ((slice0winner1_best_cost_0_0 /
+        2) mod 2) = 1 else ((slice0winner1_best_cost_0_0 mod 2) = 1) and ((slice0winner1_best_cost_0_1 mod 4) = 0);
+      slice0winner2_best_index_0_0_value := ((slice0winner1_best_cost_0_1 / 4) mod 2) = 1;
+      slice0winner2_best_index_0_0_choice_3 := (not (((slice0winner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        slice0winner2_best_index_0_0_value when slice0winner2_best_index_0_0_choice_2 else (not
+        (((slice0winner1_best_cost_0_0 / 4) mod 2) = 1)) or slice0winner2_best_index_0_0_value;
+      slice0winner2_best_index_0_0_value_2 := ((slice0winner1_best_cost_0_1 / 8) mod 2) = 1;
+      slice0winner2_best_index_0_0_choice_4 := (not (((slice0winner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        slice0winner2_best_index_0_0_value_2 when slice0winner2_best_index_0_0_choice_3 else (not
+        (((slice0winner1_best_cost_0_0 / 8) mod 2) = 1)) and slice0winner2_best_index_0_0_value_2;
+      slice0winner2_best_index_0_0_value_3 := ((slice0winner1_best_cost_0_1 / 16) mod 2) = 1;
+      slice0winner2_best_index_0_0_choice_5 := (not (((slice0winner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        slice0winner2_best_index_0_0_value_3 when slice0winner2_best_index_0_0_choice_4 else (not
+        (((slice0winner1_best_cost_0_0 / 16) mod 2) = 1)) and slice0winner2_best_index_0_0_value_3;
+      slice0winner2_best_index_0_0_value_4 := ((slice0winner1_best_cost_0_1 / 32) mod 2) = 1;
+      slice0winner2_best_index_0_0_choice_6 := (not (((slice0winner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        slice0winner2_best_index_0_0_value_4 when slice0winner2_best_index_0_0_choice_5 else (not
+        (((slice0winner1_best_cost_0_0 / 32) mod 2) = 1)) and slice0winner2_best_index_0_0_value_4;
+      slice0winner2_best_index_0_0_value_5 := ((slice0winner1_best_cost_0_1 / 64) mod 2) = 1;
+      slice0winner2_best_index_0_0_choice_7 := (not (((slice0winner1_best_cost_0_0 / 64) mod 2) = 1)) or
+        slice0winner2_best_index_0_0_value_5 when slice0winner2_best_index_0_0_choice_6 else (not
+        (((slice0winner1_best_cost_0_0 / 64) mod 2) = 1)) and slice0winner2_best_index_0_0_value_5;
+      slice0winner2_best_index_0_0_choice_8 := ((slice0winner1_best_cost_0_0 / 128) = 1) and (not
+        ((slice0winner1_best_cost_0_1 / 128) = 1)) when slice0winner2_best_index_0_0_choice_7 else
+        ((slice0winner1_best_cost_0_0 / 128) = 1) or (not ((slice0winner1_best_cost_0_1 / 128) = 1));
+      slice0winner2_best_index_1_0_choice := (not (((slice0winner1_best_cost_1_1 / 2) mod 2) = 1)) or (not
+        ((slice0winner1_best_cost_1_1 mod 2) = 1)) when (slice0winner1_best_cost_1_0 mod 2) = 1 else not
+        (((slice0winner1_best_cost_1_1 / 2) mod 2) = 1);
+      slice0winner2_best_index_1_0_choice_2 := slice0winner2_best_index_1_0_choice when ((slice0winner1_best_cost_1_0 /
+        2) mod 2) = 1 else ((slice0winner1_best_cost_1_0 mod 2) = 1) and ((slice0winner1_best_cost_1_1 mod 4) = 0);
+      slice0winner2_best_index_1_0_value := ((slice0winner1_best_cost_1_1 / 4) mod 2) = 1;
+      slice0winner2_best_index_1_0_choice_3 := (not (((slice0winner1_best_cost_1_0 / 4) mod 2) = 1)) and
+        slice0winner2_best_index_1_0_value when slice0winner2_best_index_1_0_choice_2 else (not
+        (((slice0winner1_best_cost_1_0 / 4) mod 2) = 1)) or slice0winner2_best_index_1_0_value;
+      slice0winner2_best_index_1_0_value_2 := ((slice0winner1_best_cost_1_1 / 8) mod 2) = 1;
+      slice0winner2_best_index_1_0_choice_4 := (not (((slice0winner1_best_cost_1_0 / 8) mod 2) = 1)) or
+        slice0winner2_best_index_1_0_value_2 when slice0winner2_best_index_1_0_choice_3 else (not
+        (((slice0winner1_best_cost_1_0 / 8) mod 2) = 1)) and slice0winner2_best_index_1_0_value_2;
+      slice0winner2_best_index_1_0_value_3 := ((slice0winner1_best_cost_1_1 / 16) mod 2) = 1;
+      slice0winner2_best_index_1_0_choice_5 := (not (((slice0winner1_best_cost_1_0 / 16) mod 2) = 1)) or
+        slice0winner2_best_index_1_0_value_3 when slice0winner2_best_index_1_0_choice_4 else (not
+        (((slice0winner1_best_cost_1_0 / 16) mod 2) = 1)) and slice0winner2_best_index_1_0_value_3;
+      slice0winner2_best_index_1_0_value_4 := ((slice0winner1_best_cost_1_1 / 32) mod 2) = 1;
+      slice0winner2_best_index_1_0_choice_6 := (not (((slice0winner1_best_cost_1_0 / 32) mod 2) = 1)) or
+        slice0winner2_best_index_1_0_value_4 when slice0winner2_best_index_1_0_choice_5 else (not
+        (((slice0winner1_best_cost_1_0 / 32) mod 2) = 1)) and slice0winner2_best_index_1_0_value_4;
+      slice0winner2_best_index_1_0_value_5 := ((slice0winner1_best_cost_1_1 / 64) mod 2) = 1;
+      slice0winner2_best_index_1_0_choice_7 := (not (((slice0winner1_best_cost_1_0 / 64) mod 2) = 1)) or
+        slice0winner2_best_index_1_0_value_5 when slice0winner2_best_index_1_0_choice_6 else (not
+        (((slice0winner1_best_cost_1_0 / 64) mod 2) = 1)) and slice0winner2_best_index_1_0_value_5;
+      slice0winner2_best_index_1_0_choice_8 := ((slice0winner1_best_cost_1_0 / 128) = 1) and (not
+        ((slice0winner1_best_cost_1_1 / 128) = 1)) when slice0winner2_best_index_1_0_choice_7 else
+        ((slice0winner1_best_cost_1_0 / 128) = 1) or (not ((slice0winner1_best_cost_1_1 / 128) = 1));
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner1_best_cost_0_1 <
+        slice0winner1_best_cost_0_0 else slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner1_best_cost_1_1 <
+        slice0winner1_best_cost_1_0 else slice0winner1_best_cost_1_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_index_0_0_choice_8 else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_index_1_0_choice_8 else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice0shift_search_out_1;
+        slice1shift_search_2_0 <= slice1shift_search_2_1;
+        slice1shift_search_2_1 <= slice1shift_search_2_2;
+        slice1shift_search_2_2 <= slice0shift_search_out_2;
+        slice1shift_search_3_0 <= slice1shift_search_3_1;
+        slice1shift_search_3_1 <= slice1shift_search_3_2;
+        slice1shift_search_3_2 <= slice0shift_search_out_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_search_out_0 <= slice1shift_search_0_0;
+      slice1shift_search_out_1 <= slice1shift_search_1_0;
+      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      slice1shift_search_out_3 <= slice1shift_search_3_0;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_search_0_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
+        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
+      slice1cost_pixels_first_0_0_count_0_value_3 := ((slice1shift_reference_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0_value_4 := ((slice1shift_search_0_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
+        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_search_0_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
+        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_4 := ((slice1shift_search_0_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
+        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
+      slice1cost_pixels_first_0_0_count_1_value_5 := ((slice1shift_reference_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_6 := ((slice1shift_search_0_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
+        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_search_0_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
+        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
+      slice1cost_pixels_first_0_0_count_2_value_3 := ((slice1shift_reference_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_value_4 := ((slice1shift_search_0_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
+        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_search_0_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
+        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_4 := ((slice1shift_search_0_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
+        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
+      slice1cost_pixels_first_0_0_count_3_value_5 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_6 := ((slice1shift_search_0_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
+        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_search_0_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
+        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_4 := ((slice1shift_search_0_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
+        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
+      slice1cost_pixels_first_0_0_count_4_value_5 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_6 := ((slice1shift_search_0_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
+        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_search_0_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
+        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_4 := ((slice1shift_search_0_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
+        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
+      slice1cost_pixels_first_0_0_count_5_value_5 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_6 := ((slice1shift_search_0_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
+        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_6_choice := not ((slice1shift_search_0_0 / 524288) = 1) when
+        (slice1shift_reference_0 / 524288) = 1 else (slice1shift_search_0_0 / 524288) = 1;
+      slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_search_0_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_2 when
+        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
+      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
+        ((slice1shift_search_0_1 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
+      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
+        ((slice1shift_search_0_1 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
+      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
+        ((slice1shift_search_0_1 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
+      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
+        ((slice1shift_search_0_1 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
+      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
+        ((slice1shift_search_0_1 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
+      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
+        ((slice1shift_search_0_1 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
+      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
+        ((slice1shift_search_0_1 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
+      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
+        ((slice1shift_search_0_1 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
+      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
+        ((slice1shift_search_0_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
+      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
+        ((slice1shift_search_0_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
+      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
+        ((slice1shift_search_0_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
+      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
+        ((slice1shift_search_0_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
+      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
+        ((slice1shift_search_0_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
+      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
+        ((slice1shift_search_0_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
+      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
+        ((slice1shift_search_0_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
+      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
+        ((slice1shift_search_0_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
+      slice1cost_pixels_first_0_1_count_6_choice := not ((slice1shift_reference_0 / 524288) = 1) when
+        (slice1shift_search_0_1 / 524288) = 1 else (slice1shift_reference_0 / 524288) = 1;
+      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value when
+        ((slice1shift_search_0_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
+      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
+        ((slice1shift_search_0_2 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
+      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
+        ((slice1shift_search_0_2 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
+      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
+        ((slice1shift_search_0_2 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
+      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
+        ((slice1shift_search_0_2 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
+      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
+        ((slice1shift_search_0_2 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
+      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
+        ((slice1shift_search_0_2 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
+      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
+        ((slice1shift_search_0_2 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
+      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
+        ((slice1shift_search_0_2 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
+      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
+        ((slice1shift_search_0_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
+      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
+        ((slice1shift_search_0_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
+      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
+        ((slice1shift_search_0_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
+      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
+        ((slice1shift_search_0_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
+      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
+        ((slice1shift_search_0_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
+      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
+        ((slice1shift_search_0_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
+      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
+        ((slice1shift_search_0_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
+      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
+        ((slice1shift_search_0_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
+      slice1cost_pixels_first_0_2_count_6_choice := not ((slice1shift_reference_0 / 524288) = 1) when
+        (slice1shift_search_0_2 / 524288) = 1 else (slice1shift_reference_0 / 524288) = 1;
+      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value when
+        ((slice1shift_search_0_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
+      slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_search_1_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value_2 when
+        slice1cost_pixels_first_1_0_count_0_value else slice1cost_pixels_first_1_0_count_0_value_2;
+      slice1cost_pixels_first_1_0_count_0_value_3 := ((slice1shift_reference_1 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_value_4 := ((slice1shift_search_1_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_4 when
+        slice1cost_pixels_first_1_0_count_0_value_3 else slice1cost_pixels_first_1_0_count_0_value_4;
+      slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_search_1_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value_2 when
+        slice1cost_pixels_first_1_0_count_1_value else slice1cost_pixels_first_1_0_count_1_value_2;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_4 := ((slice1shift_search_1_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_4 when
+        slice1cost_pixels_first_1_0_count_1_value_3 else slice1cost_pixels_first_1_0_count_1_value_4;
+      slice1cost_pixels_first_1_0_count_1_value_5 := ((slice1shift_reference_1 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_6 := ((slice1shift_search_1_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_6 when
+        slice1cost_pixels_first_1_0_count_1_value_5 else slice1cost_pixels_first_1_0_count_1_value_6;
+      slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_search_1_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value_2 when
+        slice1cost_pixels_first_1_0_count_2_value else slice1cost_pixels_first_1_0_count_2_value_2;
+      slice1cost_pixels_first_1_0_count_2_value_3 := ((slice1shift_reference_1 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_value_4 := ((slice1shift_search_1_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_4 when
+        slice1cost_pixels_first_1_0_count_2_value_3 else slice1cost_pixels_first_1_0_count_2_value_4;
+      slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_search_1_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value_2 when
+        slice1cost_pixels_first_1_0_count_3_value else slice1cost_pixels_first_1_0_count_3_value_2;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_4 := ((slice1shift_search_1_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_4 when
+        slice1cost_pixels_first_1_0_count_3_value_3 else slice1cost_pixels_first_1_0_count_3_value_4;
+      slice1cost_pixels_first_1_0_count_3_value_5 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_6 := ((slice1shift_search_1_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_6 when
+        slice1cost_pixels_first_1_0_count_3_value_5 else slice1cost_pixels_first_1_0_count_3_value_6;
+      slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_search_1_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value_2 when
+        slice1cost_pixels_first_1_0_count_4_value else slice1cost_pixels_first_1_0_count_4_value_2;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_4 := ((slice1shift_search_1_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_4 when
+        slice1cost_pixels_first_1_0_count_4_value_3 else slice1cost_pixels_first_1_0_count_4_value_4;
+      slice1cost_pixels_first_1_0_count_4_value_5 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_6 := ((slice1shift_search_1_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_6 when
+        slice1cost_pixels_first_1_0_count_4_value_5 else slice1cost_pixels_first_1_0_count_4_value_6;
+      slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_search_1_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value_2 when
+        slice1cost_pixels_first_1_0_count_5_value else slice1cost_pixels_first_1_0_count_5_value_2;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_4 := ((slice1shift_search_1_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_4 when
+        slice1cost_pixels_first_1_0_count_5_value_3 else slice1cost_pixels_first_1_0_count_5_value_4;
+      slice1cost_pixels_first_1_0_count_5_value_5 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_6 := ((slice1shift_search_1_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_6 when
+        slice1cost_pixels_first_1_0_count_5_value_5 else slice1cost_pixels_first_1_0_count_5_value_6;
+      slice1cost_pixels_first_1_0_count_6_choice := not ((slice1shift_search_1_0 / 524288) = 1) when
+        (slice1shift_reference_1 / 524288) = 1 else (slice1shift_search_1_0 / 524288) = 1;
+      slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_search_1_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_2 when
+        slice1cost_pixels_first_1_0_count_6_value else slice1cost_pixels_first_1_0_count_6_value_2;
+      slice1cost_pixels_first_1_1_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
+        ((slice1shift_search_1_1 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
+      slice1cost_pixels_first_1_1_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
+        ((slice1shift_search_1_1 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
+      slice1cost_pixels_first_1_1_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
+        ((slice1shift_search_1_1 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
+      slice1cost_pixels_first_1_1_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
+        ((slice1shift_search_1_1 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
+      slice1cost_pixels_first_1_1_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
+        ((slice1shift_search_1_1 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
+      slice1cost_pixels_first_1_1_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
+        ((slice1shift_search_1_1 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
+      slice1cost_pixels_first_1_1_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
+        ((slice1shift_search_1_1 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
+      slice1cost_pixels_first_1_1_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
+        ((slice1shift_search_1_1 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
+      slice1cost_pixels_first_1_1_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
+        ((slice1shift_search_1_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
+      slice1cost_pixels_first_1_1_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
+        ((slice1shift_search_1_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
+      slice1cost_pixels_first_1_1_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
+        ((slice1shift_search_1_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
+      slice1cost_pixels_first_1_1_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
+        ((slice1shift_search_1_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
+      slice1cost_pixels_first_1_1_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
+        ((slice1shift_search_1_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
+      slice1cost_pixels_first_1_1_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
+        ((slice1shift_search_1_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
+      slice1cost_pixels_first_1_1_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
+        ((slice1shift_search_1_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
+      slice1cost_pixels_first_1_1_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
+        ((slice1shift_search_1_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
+      slice1cost_pixels_first_1_1_count_6_choice := not ((slice1shift_reference_1 / 524288) = 1) when
+        (slice1shift_search_1_1 / 524288) = 1 else (slice1shift_reference_1 / 524288) = 1;
+      slice1cost_pixels_first_1_1_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value when
+        ((slice1shift_search_1_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
+      slice1cost_pixels_first_1_2_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
+        ((slice1shift_search_1_2 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
+      slice1cost_pixels_first_1_2_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
+        ((slice1shift_search_1_2 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
+      slice1cost_pixels_first_1_2_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
+        ((slice1shift_search_1_2 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
+      slice1cost_pixels_first_1_2_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
+        ((slice1shift_search_1_2 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
+      slice1cost_pixels_first_1_2_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
+        ((slice1shift_search_1_2 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
+      slice1cost_pixels_first_1_2_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
+        ((slice1shift_search_1_2 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
+      slice1cost_pixels_first_1_2_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
+        ((slice1shift_search_1_2 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
+      slice1cost_pixels_first_1_2_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
+        ((slice1shift_search_1_2 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
+      slice1cost_pixels_first_1_2_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
+        ((slice1shift_search_1_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
+      slice1cost_pixels_first_1_2_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
+        ((slice1shift_search_1_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
+      slice1cost_pixels_first_1_2_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
+        ((slice1shift_search_1_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
+      slice1cost_pixels_first_1_2_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
+        ((slice1shift_search_1_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
+      slice1cost_pixels_first_1_2_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
+        ((slice1shift_search_1_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
+      slice1cost_pixels_first_1_2_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
+        ((slice1shift_search_1_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
+      slice1cost_pixels_first_1_2_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
+        ((slice1shift_search_1_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
+      slice1cost_pixels_first_1_2_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
+        ((slice1shift_search_1_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
+      slice1cost_pixels_first_1_2_count_6_choice := not ((slice1shift_reference_1 / 524288) = 1) when
+        (slice1shift_search_1_2 / 524288) = 1 else (slice1shift_reference_1 / 524288) = 1;
+      slice1cost_pixels_first_1_2_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value when
+        ((slice1shift_search_1_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
+      slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_search_2_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value_2 when
+        slice1cost_pixels_first_2_0_count_0_value else slice1cost_pixels_first_2_0_count_0_value_2;
+      slice1cost_pixels_first_2_0_count_0_value_3 := ((slice1shift_reference_2 / 2) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_value_4 := ((slice1shift_search_2_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_4 when
+        slice1cost_pixels_first_2_0_count_0_value_3 else slice1cost_pixels_first_2_0_count_0_value_4;
+      slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_search_2_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value_2 when
+        slice1cost_pixels_first_2_0_count_1_value else slice1cost_pixels_first_2_0_count_1_value_2;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_4 := ((slice1shift_search_2_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_4 when
+        slice1cost_pixels_first_2_0_count_1_value_3 else slice1cost_pixels_first_2_0_count_1_value_4;
+      slice1cost_pixels_first_2_0_count_1_value_5 := ((slice1shift_reference_2 / 16) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_6 := ((slice1shift_search_2_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_6 when
+        slice1cost_pixels_first_2_0_count_1_value_5 else slice1cost_pixels_first_2_0_count_1_value_6;
+      slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_search_2_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value_2 when
+        slice1cost_pixels_first_2_0_count_2_value else slice1cost_pixels_first_2_0_count_2_value_2;
+      slice1cost_pixels_first_2_0_count_2_value_3 := ((slice1shift_reference_2 / 64) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_value_4 := ((slice1shift_search_2_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_4 when
+        slice1cost_pixels_first_2_0_count_2_value_3 else slice1cost_pixels_first_2_0_count_2_value_4;
+      slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_search_2_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value_2 when
+        slice1cost_pixels_first_2_0_count_3_value else slice1cost_pixels_first_2_0_count_3_value_2;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_4 := ((slice1shift_search_2_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_4 when
+        slice1cost_pixels_first_2_0_count_3_value_3 else slice1cost_pixels_first_2_0_count_3_value_4;
+      slice1cost_pixels_first_2_0_count_3_value_5 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_6 := ((slice1shift_search_2_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_6 when
+        slice1cost_pixels_first_2_0_count_3_value_5 else slice1cost_pixels_first_2_0_count_3_value_6;
+      slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_search_2_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value_2 when
+        slice1cost_pixels_first_2_0_count_4_value else slice1cost_pixels_first_2_0_count_4_value_2;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_4 := ((slice1shift_search_2_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_4 when
+        slice1cost_pixels_first_2_0_count_4_value_3 else slice1cost_pixels_first_2_0_count_4_value_4;
+      slice1cost_pixels_first_2_0_count_4_value_5 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_6 := ((slice1shift_search_2_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_6 when
+        slice1cost_pixels_first_2_0_count_4_value_5 else slice1cost_pixels_first_2_0_count_4_value_6;
+      slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_search_2_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value_2 when
+        slice1cost_pixels_first_2_0_count_5_value else slice1cost_pixels_first_2_0_count_5_value_2;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_4 := ((slice1shift_search_2_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_4 when
+        slice1cost_pixels_first_2_0_count_5_value_3 else slice1cost_pixels_first_2_0_count_5_value_4;
+      slice1cost_pixels_first_2_0_count_5_value_5 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_6 := ((slice1shift_search_2_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_6 when
+        slice1cost_pixels_first_2_0_count_5_value_5 else slice1cost_pixels_first_2_0_count_5_value_6;
+      slice1cost_pixels_first_2_0_count_6_choice := not ((slice1shift_search_2_0 / 524288) = 1) when
+        (slice1shift_reference_2 / 524288) = 1 else (slice1shift_search_2_0 / 524288) = 1;
+      slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_search_2_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_2 when
+        slice1cost_pixels_first_2_0_count_6_value else slice1cost_pixels_first_2_0_count_6_value_2;
+      slice1cost_pixels_first_2_1_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
+        ((slice1shift_search_2_1 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
+      slice1cost_pixels_first_2_1_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
+        ((slice1shift_search_2_1 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
+      slice1cost_pixels_first_2_1_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
+        ((slice1shift_search_2_1 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
+      slice1cost_pixels_first_2_1_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
+        ((slice1shift_search_2_1 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
+      slice1cost_pixels_first_2_1_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
+        ((slice1shift_search_2_1 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
+      slice1cost_pixels_first_2_1_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
+        ((slice1shift_search_2_1 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
+      slice1cost_pixels_first_2_1_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
+        ((slice1shift_search_2_1 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
+      slice1cost_pixels_first_2_1_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
+        ((slice1shift_search_2_1 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
+      slice1cost_pixels_first_2_1_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
+        ((slice1shift_search_2_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
+      slice1cost_pixels_first_2_1_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
+        ((slice1shift_search_2_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
+      slice1cost_pixels_first_2_1_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
+        ((slice1shift_search_2_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
+      slice1cost_pixels_first_2_1_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
+        ((slice1shift_search_2_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
+      slice1cost_pixels_first_2_1_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
+        ((slice1shift_search_2_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
+      slice1cost_pixels_first_2_1_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
+        ((slice1shift_search_2_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
+      slice1cost_pixels_first_2_1_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
+        ((slice1shift_search_2_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
+      slice1cost_pixels_first_2_1_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
+        ((slice1shift_search_2_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
+      slice1cost_pixels_first_2_1_count_6_choice := not ((slice1shift_reference_2 / 524288) = 1) when
+        (slice1shift_search_2_1 / 524288) = 1 else (slice1shift_reference_2 / 524288) = 1;
+      slice1cost_pixels_first_2_1_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value when
+        ((slice1shift_search_2_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
+      slice1cost_pixels_first_2_2_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
+        ((slice1shift_search_2_2 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
+      slice1cost_pixels_first_2_2_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
+        ((slice1shift_search_2_2 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
+      slice1cost_pixels_first_2_2_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
+        ((slice1shift_search_2_2 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
+      slice1cost_pixels_first_2_2_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
+        ((slice1shift_search_2_2 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
+      slice1cost_pixels_first_2_2_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
+        ((slice1shift_search_2_2 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
+      slice1cost_pixels_first_2_2_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
+        ((slice1shift_search_2_2 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
+      slice1cost_pixels_first_2_2_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
+        ((slice1shift_search_2_2 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
+      slice1cost_pixels_first_2_2_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
+        ((slice1shift_search_2_2 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
+      slice1cost_pixels_first_2_2_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
+        ((slice1shift_search_2_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
+      slice1cost_pixels_first_2_2_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
+        ((slice1shift_search_2_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
+      slice1cost_pixels_first_2_2_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
+        ((slice1shift_search_2_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
+      slice1cost_pixels_first_2_2_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
+        ((slice1shift_search_2_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
+      slice1cost_pixels_first_2_2_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
+        ((slice1shift_search_2_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
+      slice1cost_pixels_first_2_2_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
+        ((slice1shift_search_2_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
+      slice1cost_pixels_first_2_2_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
+        ((slice1shift_search_2_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
+      slice1cost_pixels_first_2_2_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
+        ((slice1shift_search_2_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
+      slice1cost_pixels_first_2_2_count_6_choice := not ((slice1shift_reference_2 / 524288) = 1) when
+        (slice1shift_search_2_2 / 524288) = 1 else (slice1shift_reference_2 / 524288) = 1;
+      slice1cost_pixels_first_2_2_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value when
+        ((slice1shift_search_2_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
+      slice1cost_pixels_first_3_0_count_0_value := ((slice1shift_reference_3 / 4) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_0_value_2 := ((slice1shift_search_3_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_0_choice := not slice1cost_pixels_first_3_0_count_0_value_2 when
+        slice1cost_pixels_first_3_0_count_0_value else slice1cost_pixels_first_3_0_count_0_value_2;
+      slice1cost_pixels_first_3_0_count_0_value_3 := ((slice1shift_reference_3 / 2) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_0_value_4 := ((slice1shift_search_3_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_0_choice_2 := not slice1cost_pixels_first_3_0_count_0_value_4 when
+        slice1cost_pixels_first_3_0_count_0_value_3 else slice1cost_pixels_first_3_0_count_0_value_4;
+      slice1cost_pixels_first_3_0_count_1_value := ((slice1shift_reference_3 / 8) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_1_value_2 := ((slice1shift_search_3_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_1_choice := not slice1cost_pixels_first_3_0_count_1_value_2 when
+        slice1cost_pixels_first_3_0_count_1_value else slice1cost_pixels_first_3_0_count_1_value_2;
+      slice1cost_pixels_first_3_0_count_1_value_3 := ((slice1shift_reference_3 / 32) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_1_value_4 := ((slice1shift_search_3_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_1_choice_2 := not slice1cost_pixels_first_3_0_count_1_value_4 when
+        slice1cost_pixels_first_3_0_count_1_value_3 else slice1cost_pixels_first_3_0_count_1_value_4;
+      slice1cost_pixels_first_3_0_count_1_value_5 := ((slice1shift_reference_3 / 16) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_1_value_6 := ((slice1shift_search_3_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_1_choice_3 := not slice1cost_pixels_first_3_0_count_1_value_6 when
+        slice1cost_pixels_first_3_0_count_1_value_5 else slice1cost_pixels_first_3_0_count_1_value_6;
+      slice1cost_pixels_first_3_0_count_2_value := ((slice1shift_reference_3 / 256) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_2_value_2 := ((slice1shift_search_3_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_2_choice := not slice1cost_pixels_first_3_0_count_2_value_2 when
+        slice1cost_pixels_first_3_0_count_2_value else slice1cost_pixels_first_3_0_count_2_value_2;
+      slice1cost_pixels_first_3_0_count_2_value_3 := ((slice1shift_reference_3 / 64) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_2_value_4 := ((slice1shift_search_3_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_2_choice_2 := not slice1cost_pixels_first_3_0_count_2_value_4 when
+        slice1cost_pixels_first_3_0_count_2_value_3 else slice1cost_pixels_first_3_0_count_2_value_4;
+      slice1cost_pixels_first_3_0_count_3_value := ((slice1shift_reference_3 / 512) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_3_value_2 := ((slice1shift_search_3_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_3_choice := not slice1cost_pixels_first_3_0_count_3_value_2 when
+        slice1cost_pixels_first_3_0_count_3_value else slice1cost_pixels_first_3_0_count_3_value_2;
+      slice1cost_pixels_first_3_0_count_3_value_3 := ((slice1shift_reference_3 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_3_value_4 := ((slice1shift_search_3_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_3_choice_2 := not slice1cost_pixels_first_3_0_count_3_value_4 when
+        slice1cost_pixels_first_3_0_count_3_value_3 else slice1cost_pixels_first_3_0_count_3_value_4;
+      slice1cost_pixels_first_3_0_count_3_value_5 := ((slice1shift_reference_3 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_3_value_6 := ((slice1shift_search_3_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_3_choice_3 := not slice1cost_pixels_first_3_0_count_3_value_6 when
+        slice1cost_pixels_first_3_0_count_3_value_5 else slice1cost_pixels_first_3_0_count_3_value_6;
+      slice1cost_pixels_first_3_0_count_4_value := ((slice1shift_reference_3 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_4_value_2 := ((slice1shift_search_3_0 / 4096) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_4_choice := not slice1cost_pixels_first_3_0_count_4_value_2 when
+        slice1cost_pixels_first_3_0_count_4_value else slice1cost_pixels_first_3_0_count_4_value_2;
+      slice1cost_pixels_first_3_0_count_4_value_3 := ((slice1shift_reference_3 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_4_value_4 := ((slice1shift_search_3_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_4_choice_2 := not slice1cost_pixels_first_3_0_count_4_value_4 when
+        slice1cost_pixels_first_3_0_count_4_value_3 else slice1cost_pixels_first_3_0_count_4_value_4;
+      slice1cost_pixels_first_3_0_count_4_value_5 := ((slice1shift_reference_3 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_4_value_6 := ((slice1shift_search_3_0 / 8192) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_4_choice_3 := not slice1cost_pixels_first_3_0_count_4_value_6 when
+        slice1cost_pixels_first_3_0_count_4_value_5 else slice1cost_pixels_first_3_0_count_4_value_6;
+      slice1cost_pixels_first_3_0_count_5_value := ((slice1shift_reference_3 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_5_value_2 := ((slice1shift_search_3_0 / 32768) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_5_choice := not slice1cost_pixels_first_3_0_count_5_value_2 when
+        slice1cost_pixels_first_3_0_count_5_value else slice1cost_pixels_first_3_0_count_5_value_2;
+      slice1cost_pixels_first_3_0_count_5_value_3 := ((slice1shift_reference_3 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_5_value_4 := ((slice1shift_search_3_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_5_choice_2 := not slice1cost_pixels_first_3_0_count_5_value_4 when
+        slice1cost_pixels_first_3_0_count_5_value_3 else slice1cost_pixels_first_3_0_count_5_value_4;
+      slice1cost_pixels_first_3_0_count_5_value_5 := ((slice1shift_reference_3 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_5_value_6 := ((slice1shift_search_3_0 / 65536) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_5_choice_3 := not slice1cost_pixels_first_3_0_count_5_value_6 when
+        slice1cost_pixels_first_3_0_count_5_value_5 else slice1cost_pixels_first_3_0_count_5_value_6;
+      slice1cost_pixels_first_3_0_count_6_choice := not ((slice1shift_search_3_0 / 524288) = 1) when
+        (slice1shift_reference_3 / 524288) = 1 else (slice1shift_search_3_0 / 524288) = 1;
+      slice1cost_pixels_first_3_0_count_6_value := ((slice1shift_reference_3 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_6_value_2 := ((slice1shift_search_3_0 / 262144) mod 2) = 1;
+      slice1cost_pixels_first_3_0_count_6_choice_2 := not slice1cost_pixels_first_3_0_count_6_value_2 when
+        slice1cost_pixels_first_3_0_count_6_value else slice1cost_pixels_first_3_0_count_6_value_2;
+      slice1cost_pixels_first_3_1_count_0_choice := not slice1cost_pixels_first_3_0_count_0_value when
+        ((slice1shift_search_3_1 / 4) mod 2) = 1 else slice1cost_pixels_first_3_0_count_0_value;
+      slice1cost_pixels_first_3_1_count_0_choice_2 := not slice1cost_pixels_first_3_0_count_0_value_3 when
+        ((slice1shift_search_3_1 / 2) mod 2) = 1 else slice1cost_pixels_first_3_0_count_0_value_3;
+      slice1cost_pixels_first_3_1_count_1_choice := not slice1cost_pixels_first_3_0_count_1_value when
+        ((slice1shift_search_3_1 / 8) mod 2) = 1 else slice1cost_pixels_first_3_0_count_1_value;
+      slice1cost_pixels_first_3_1_count_1_choice_2 := not slice1cost_pixels_first_3_0_count_1_value_3 when
+        ((slice1shift_search_3_1 / 32) mod 2) = 1 else slice1cost_pixels_first_3_0_count_1_value_3;
+      slice1cost_pixels_first_3_1_count_1_choice_3 := not slice1cost_pixels_first_3_0_count_1_value_5 when
+        ((slice1shift_search_3_1 / 16) mod 2) = 1 else slice1cost_pixels_first_3_0_count_1_value_5;
+      slice1cost_pixels_first_3_1_count_2_choice := not slice1cost_pixels_first_3_0_count_2_value when
+        ((slice1shift_search_3_1 / 256) mod 2) = 1 else slice1cost_pixels_first_3_0_count_2_value;
+      slice1cost_pixels_first_3_1_count_2_choice_2 := not slice1cost_pixels_first_3_0_count_2_value_3 when
+        ((slice1shift_search_3_1 / 64) mod 2) = 1 else slice1cost_pixels_first_3_0_count_2_value_3;
+      slice1cost_pixels_first_3_1_count_3_choice := not slice1cost_pixels_first_3_0_count_3_value when
+        ((slice1shift_search_3_1 / 512) mod 2) = 1 else slice1cost_pixels_first_3_0_count_3_value;
+      slice1cost_pixels_first_3_1_count_3_choice_2 := not slice1cost_pixels_first_3_0_count_3_value_3 when
+        ((slice1shift_search_3_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_3_0_count_3_value_3;
+      slice1cost_pixels_first_3_1_count_3_choice_3 := not slice1cost_pixels_first_3_0_count_3_value_5 when
+        ((slice1shift_search_3_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_3_0_count_3_value_5;
+      slice1cost_pixels_first_3_1_count_4_choice := not slice1cost_pixels_first_3_0_count_4_value when
+        ((slice1shift_search_3_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_3_0_count_4_value;
+      slice1cost_pixels_first_3_1_count_4_choice_2 := not slice1cost_pixels_first_3_0_count_4_value_3 when
+        ((slice1shift_search_3_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_3_0_count_4_value_3;
+      slice1cost_pixels_first_3_1_count_4_choice_3 := not slice1cost_pixels_first_3_0_count_4_value_5 when
+        ((slice1shift_search_3_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_3_0_count_4_value_5;
+      slice1cost_pixels_first_3_1_count_5_choice := not slice1cost_pixels_first_3_0_count_5_value when
+        ((slice1shift_search_3_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_3_0_count_5_value;
+      slice1cost_pixels_first_3_1_count_5_choice_2 := not slice1cost_pixels_first_3_0_count_5_value_3 when
+        ((slice1shift_search_3_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_3_0_count_5_value_3;
+      slice1cost_pixels_first_3_1_count_5_choice_3 := not slice1cost_pixels_first_3_0_count_5_value_5 when
+        ((slice1shift_search_3_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_3_0_count_5_value_5;
+      slice1cost_pixels_first_3_1_count_6_choice := not ((slice1shift_reference_3 / 524288) = 1) when
+        (slice1shift_search_3_1 / 524288) = 1 else (slice1shift_reference_3 / 524288) = 1;
+      slice1cost_pixels_first_3_1_count_6_choice_2 := not slice1cost_pixels_first_3_0_count_6_value when
+        ((slice1shift_search_3_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_3_0_count_6_value;
+      slice1cost_pixels_first_3_2_count_0_choice := not slice1cost_pixels_first_3_0_count_0_value when
+        ((slice1shift_search_3_2 / 4) mod 2) = 1 else slice1cost_pixels_first_3_0_count_0_value;
+      slice1cost_pixels_first_3_2_count_0_choice_2 := not slice1cost_pixels_first_3_0_count_0_value_3 when
+        ((slice1shift_search_3_2 / 2) mod 2) = 1 else slice1cost_pixels_first_3_0_count_0_value_3;
+      slice1cost_pixels_first_3_2_count_1_choice := not slice1cost_pixels_first_3_0_count_1_value when
+        ((slice1shift_search_3_2 / 8) mod 2) = 1 else slice1cost_pixels_first_3_0_count_1_value;
+      slice1cost_pixels_first_3_2_count_1_choice_2 := not slice1cost_pixels_first_3_0_count_1_value_3 when
+        ((slice1shift_search_3_2 / 32) mod 2) = 1 else slice1cost_pixels_first_3_0_count_1_value_3;
+      slice1cost_pixels_first_3_2_count_1_choice_3 := not slice1cost_pixels_first_3_0_count_1_value_5 when
+        ((slice1shift_search_3_2 / 16) mod 2) = 1 else slice1cost_pixels_first_3_0_count_1_value_5;
+      slice1cost_pixels_first_3_2_count_2_choice := not slice1cost_pixels_first_3_0_count_2_value when
+        ((slice1shift_search_3_2 / 256) mod 2) = 1 else slice1cost_pixels_first_3_0_count_2_value;
+      slice1cost_pixels_first_3_2_count_2_choice_2 := not slice1cost_pixels_first_3_0_count_2_value_3 when
+        ((slice1shift_search_3_2 / 64) mod 2) = 1 else slice1cost_pixels_first_3_0_count_2_value_3;
+      slice1cost_pixels_first_3_2_count_3_choice := not slice1cost_pixels_first_3_0_count_3_value when
+        ((slice1shift_search_3_2 / 512) mod 2) = 1 else slice1cost_pixels_first_3_0_count_3_value;
+      slice1cost_pixels_first_3_2_count_3_choice_2 := not slice1cost_pixels_first_3_0_count_3_value_3 when
+        ((slice1shift_search_3_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_3_0_count_3_value_3;
+      slice1cost_pixels_first_3_2_count_3_choice_3 := not slice1cost_pixels_first_3_0_count_3_value_5 when
+        ((slice1shift_search_3_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_3_0_count_3_value_5;
+      slice1cost_pixels_first_3_2_count_4_choice := not slice1cost_pixels_first_3_0_count_4_value when
+        ((slice1shift_search_3_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_3_0_count_4_value;
+      slice1cost_pixels_first_3_2_count_4_choice_2 := not slice1cost_pixels_first_3_0_count_4_value_3 when
+        ((slice1shift_search_3_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_3_0_count_4_value_3;
+      slice1cost_pixels_first_3_2_count_4_choice_3 := not slice1cost_pixels_first_3_0_count_4_value_5 when
+        ((slice1shift_search_3_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_3_0_count_4_value_5;
+      slice1cost_pixels_first_3_2_count_5_choice := not slice1cost_pixels_first_3_0_count_5_value when
+        ((slice1shift_search_3_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_3_0_count_5_value;
+      slice1cost_pixels_first_3_2_count_5_choice_2 := not slice1cost_pixels_first_3_0_count_5_value_3 when
+        ((slice1shift_search_3_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_3_0_count_5_value_3;
+      slice1cost_pixels_first_3_2_count_5_choice_3 := not slice1cost_pixels_first_3_0_count_5_value_5 when
+        ((slice1shift_search_3_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_3_0_count_5_value_5;
+      slice1cost_pixels_first_3_2_count_6_choice := not ((slice1shift_reference_3 / 524288) = 1) when
+        (slice1shift_search_3_2 / 524288) = 1 else (slice1shift_reference_3 / 524288) = 1;
+      slice1cost_pixels_first_3_2_count_6_choice_2 := not slice1cost_pixels_first_3_0_count_6_value when
+        ((slice1shift_search_3_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_3_0_count_6_value;
+      slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
+      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+      slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
+      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
+      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
+      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
+      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_6_choice_2);
+      slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
+      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+      slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
+      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
+      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
+      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
+      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_6_choice_2);
+      slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
+      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+      slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
+      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
+      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
+      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
+      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_6_choice_2);
+      slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_0_count_0_choice) +
+        as_number(slice1cost_pixels_first_1_0_count_0_choice_2);
+      slice1cost_pixels_first_1_0_count_1 <= as_number(slice1cost_pixels_first_1_0_count_1_choice) +
+        as_number(slice1cost_pixels_first_1_0_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_1_0_count_1_choice_3);
+      slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_1_0_count_2_choice) + as_number(slice1cost_pixels_first_1_0_count_2_choice_2);
+      slice1cost_pixels_first_1_0_count_3 <= as_number(slice1cost_pixels_first_1_0_count_3_choice) +
+        as_number(slice1cost_pixels_first_1_0_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_1_0_count_3_choice_3);
+      slice1cost_pixels_first_1_0_count_4 <= as_number(slice1cost_pixels_first_1_0_count_4_choice) +
+        as_number(slice1cost_pixels_first_1_0_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_1_0_count_4_choice_3);
+      slice1cost_pixels_first_1_0_count_5 <= as_number(slice1cost_pixels_first_1_0_count_5_choice) +
+        as_number(slice1cost_pixels_first_1_0_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_1_0_count_5_choice_3);
+      slice1cost_pixels_first_1_0_count_6 <= as_number(slice1cost_pixels_first_1_0_count_6_choice) +
+        as_number(slice1cost_pixels_first_1_0_count_6_choice_2);
+      slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_1_count_0_choice) +
+        as_number(slice1cost_pixels_first_1_1_count_0_choice_2);
+      slice1cost_pixels_first_1_1_count_1 <= as_number(slice1cost_pixels_first_1_1_count_1_choice) +
+        as_number(slice1cost_pixels_first_1_1_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_1_1_count_1_choice_3);
+      slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_1_1_count_2_choice) + as_number(slice1cost_pixels_first_1_1_count_2_choice_2);
+      slice1cost_pixels_first_1_1_count_3 <= as_number(slice1cost_pixels_first_1_1_count_3_choice) +
+        as_number(slice1cost_pixels_first_1_1_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_1_1_count_3_choice_3);
+      slice1cost_pixels_first_1_1_count_4 <= as_number(slice1cost_pixels_first_1_1_count_4_choice) +
+        as_number(slice1cost_pixels_first_1_1_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_1_1_count_4_choice_3);
+      slice1cost_pixels_first_1_1_count_5 <= as_number(slice1cost_pixels_first_1_1_count_5_choice) +
+        as_number(slice1cost_pixels_first_1_1_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_1_1_count_5_choice_3);
+      slice1cost_pixels_first_1_1_count_6 <= as_number(slice1cost_pixels_first_1_1_count_6_choice) +
+        as_number(slice1cost_pixels_first_1_1_count_6_choice_2);
+      slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_2_count_0_choice) +
+        as_number(slice1cost_pixels_first_1_2_count_0_choice_2);
+      slice1cost_pixels_first_1_2_count_1 <= as_number(slice1cost_pixels_first_1_2_count_1_choice) +
+        as_number(slice1cost_pixels_first_1_2_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_1_2_count_1_choice_3);
+      slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_1_2_count_2_choice) + as_number(slice1cost_pixels_first_1_2_count_2_choice_2);
+      slice1cost_pixels_first_1_2_count_3 <= as_number(slice1cost_pixels_first_1_2_count_3_choice) +
+        as_number(slice1cost_pixels_first_1_2_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_1_2_count_3_choice_3);
+      slice1cost_pixels_first_1_2_count_4 <= as_number(slice1cost_pixels_first_1_2_count_4_choice) +
+        as_number(slice1cost_pixels_first_1_2_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_1_2_count_4_choice_3);
+      slice1cost_pixels_first_1_2_count_5 <= as_number(slice1cost_pixels_first_1_2_count_5_choice) +
+        as_number(slice1cost_pixels_first_1_2_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_1_2_count_5_choice_3);
+      slice1cost_pixels_first_1_2_count_6 <= as_number(slice1cost_pixels_first_1_2_count_6_choice) +
+        as_number(slice1cost_pixels_first_1_2_count_6_choice_2);
+      slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_0_count_0_choice) +
+        as_number(slice1cost_pixels_first_2_0_count_0_choice_2);
+      slice1cost_pixels_first_2_0_count_1 <= as_number(slice1cost_pixels_first_2_0_count_1_choice) +
+        as_number(slice1cost_pixels_first_2_0_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_2_0_count_1_choice_3);
+      slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_2_0_count_2_choice) + as_number(slice1cost_pixels_first_2_0_count_2_choice_2);
+      slice1cost_pixels_first_2_0_count_3 <= as_number(slice1cost_pixels_first_2_0_count_3_choice) +
+        as_number(slice1cost_pixels_first_2_0_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_2_0_count_3_choice_3);
+      slice1cost_pixels_first_2_0_count_4 <= as_number(slice1cost_pixels_first_2_0_count_4_choice) +
+        as_number(slice1cost_pixels_first_2_0_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_2_0_count_4_choice_3);
+      slice1cost_pixels_first_2_0_count_5 <= as_number(slice1cost_pixels_first_2_0_count_5_choice) +
+        as_number(slice1cost_pixels_first_2_0_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_2_0_count_5_choice_3);
+      slice1cost_pixels_first_2_0_count_6 <= as_number(slice1cost_pixels_first_2_0_count_6_choice) +
+        as_number(slice1cost_pixels_first_2_0_count_6_choice_2);
+      slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_1_count_0_choice) +
+        as_number(slice1cost_pixels_first_2_1_count_0_choice_2);
+      slice1cost_pixels_first_2_1_count_1 <= as_number(slice1cost_pixels_first_2_1_count_1_choice) +
+        as_number(slice1cost_pixels_first_2_1_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_2_1_count_1_choice_3);
+      slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_2_1_count_2_choice) + as_number(slice1cost_pixels_first_2_1_count_2_choice_2);
+      slice1cost_pixels_first_2_1_count_3 <= as_number(slice1cost_pixels_first_2_1_count_3_choice) +
+        as_number(slice1cost_pixels_first_2_1_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_2_1_count_3_choice_3);
+      slice1cost_pixels_first_2_1_count_4 <= as_number(slice1cost_pixels_first_2_1_count_4_choice) +
+        as_number(slice1cost_pixels_first_2_1_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_2_1_count_4_choice_3);
+      slice1cost_pixels_first_2_1_count_5 <= as_number(slice1cost_pixels_first_2_1_count_5_choice) +
+        as_number(slice1cost_pixels_first_2_1_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_2_1_count_5_choice_3);
+      slice1cost_pixels_first_2_1_count_6 <= as_number(slice1cost_pixels_first_2_1_count_6_choice) +
+        as_number(slice1cost_pixels_first_2_1_count_6_choice_2);
+      slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_2_count_0_choice) +
+        as_number(slice1cost_pixels_first_2_2_count_0_choice_2);
+      slice1cost_pixels_first_2_2_count_1 <= as_number(slice1cost_pixels_first_2_2_count_1_choice) +
+        as_number(slice1cost_pixels_first_2_2_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_2_2_count_1_choice_3);
+      slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_2_2_count_2_choice) + as_number(slice1cost_pixels_first_2_2_count_2_choice_2);
+      slice1cost_pixels_first_2_2_count_3 <= as_number(slice1cost_pixels_first_2_2_count_3_choice) +
+        as_number(slice1cost_pixels_first_2_2_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_2_2_count_3_choice_3);
+      slice1cost_pixels_first_2_2_count_4 <= as_number(slice1cost_pixels_first_2_2_count_4_choice) +
+        as_number(slice1cost_pixels_first_2_2_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_2_2_count_4_choice_3);
+      slice1cost_pixels_first_2_2_count_5 <= as_number(slice1cost_pixels_first_2_2_count_5_choice) +
+        as_number(slice1cost_pixels_first_2_2_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_2_2_count_5_choice_3);
+      slice1cost_pixels_first_2_2_count_6 <= as_number(slice1cost_pixels_first_2_2_count_6_choice) +
+        as_number(slice1cost_pixels_first_2_2_count_6_choice_2);
+      slice1cost_pixels_first_3_0_count_0 <= as_number((((slice1shift_search_3_0 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(slice1cost_pixels_first_3_0_count_0_choice) +
+        as_number(slice1cost_pixels_first_3_0_count_0_choice_2);
+      slice1cost_pixels_first_3_0_count_1 <= as_number(slice1cost_pixels_first_3_0_count_1_choice) +
+        as_number(slice1cost_pixels_first_3_0_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_3_0_count_1_choice_3);
+      slice1cost_pixels_first_3_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_3_0 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_3_0_count_2_choice) + as_number(slice1cost_pixels_first_3_0_count_2_choice_2);
+      slice1cost_pixels_first_3_0_count_3 <= as_number(slice1cost_pixels_first_3_0_count_3_choice) +
+        as_number(slice1cost_pixels_first_3_0_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_3_0_count_3_choice_3);
+      slice1cost_pixels_first_3_0_count_4 <= as_number(slice1cost_pixels_first_3_0_count_4_choice) +
+        as_number(slice1cost_pixels_first_3_0_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_3_0_count_4_choice_3);
+      slice1cost_pixels_first_3_0_count_5 <= as_number(slice1cost_pixels_first_3_0_count_5_choice) +
+        as_number(slice1cost_pixels_first_3_0_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_3_0_count_5_choice_3);
+      slice1cost_pixels_first_3_0_count_6 <= as_number(slice1cost_pixels_first_3_0_count_6_choice) +
+        as_number(slice1cost_pixels_first_3_0_count_6_choice_2);
+      slice1cost_pixels_first_3_1_count_0 <= as_number((((slice1shift_search_3_1 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(slice1cost_pixels_first_3_1_count_0_choice) +
+        as_number(slice1cost_pixels_first_3_1_count_0_choice_2);
+      slice1cost_pixels_first_3_1_count_1 <= as_number(slice1cost_pixels_first_3_1_count_1_choice) +
+        as_number(slice1cost_pixels_first_3_1_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_3_1_count_1_choice_3);
+      slice1cost_pixels_first_3_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_3_1 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_3_1_count_2_choice) + as_number(slice1cost_pixels_first_3_1_count_2_choice_2);
+      slice1cost_pixels_first_3_1_count_3 <= as_number(slice1cost_pixels_first_3_1_count_3_choice) +
+        as_number(slice1cost_pixels_first_3_1_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_3_1_count_3_choice_3);
+      slice1cost_pixels_first_3_1_count_4 <= as_number(slice1cost_pixels_first_3_1_count_4_choice) +
+        as_number(slice1cost_pixels_first_3_1_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_3_1_count_4_choice_3);
+      slice1cost_pixels_first_3_1_count_5 <= as_number(slice1cost_pixels_first_3_1_count_5_choice) +
+        as_number(slice1cost_pixels_first_3_1_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_3_1_count_5_choice_3);
+      slice1cost_pixels_first_3_1_count_6 <= as_number(slice1cost_pixels_first_3_1_count_6_choice) +
+        as_number(slice1cost_pixels_first_3_1_count_6_choice_2);
+      slice1cost_pixels_first_3_2_count_0 <= as_number((((slice1shift_search_3_2 mod 2) = 1) /=
+        ((slice1shift_reference_3 mod 2) = 1))) + as_number(slice1cost_pixels_first_3_2_count_0_choice) +
+        as_number(slice1cost_pixels_first_3_2_count_0_choice_2);
+      slice1cost_pixels_first_3_2_count_1 <= as_number(slice1cost_pixels_first_3_2_count_1_choice) +
+        as_number(slice1cost_pixels_first_3_2_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_3_2_count_1_choice_3);
+      slice1cost_pixels_first_3_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_3_2 mod 256), 8)) xor
+        (to_unsigned((slice1shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_3_2_count_2_choice) + as_number(slice1cost_pixels_first_3_2_count_2_choice_2);
+      slice1cost_pixels_first_3_2_count_3 <= as_number(slice1cost_pixels_first_3_2_count_3_choice) +
+        as_number(slice1cost_pixels_first_3_2_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_3_2_count_3_choice_3);
+      slice1cost_pixels_first_3_2_count_4 <= as_number(slice1cost_pixels_first_3_2_count_4_choice) +
+        as_number(slice1cost_pixels_first_3_2_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_3_2_count_4_choice_3);
+      slice1cost_pixels_first_3_2_count_5 <= as_number(slice1cost_pixels_first_3_2_count_5_choice) +
+        as_number(slice1cost_pixels_first_3_2_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_3_2_count_5_choice_3);
+      slice1cost_pixels_first_3_2_count_6 <= as_number(slice1cost_pixels_first_3_2_count_6_choice) +
+        as_number(slice1cost_pixels_first_3_2_count_6_choice_2);
+      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_6 + slice1cost_pixels_first_0_0_count_4 +
+        slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_1 + slice1cost_pixels_first_0_0_count_5
+        + slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2;
+      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_6 + slice1cost_pixels_first_0_1_count_4 +
+        slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_1 + slice1cost_pixels_first_0_1_count_5
+        + slice1cost_pixels_first_0_1_count_0 + slice1cost_pixels_first_0_1_count_2;
+      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_6 + slice1cost_pixels_first_0_2_count_4 +
+        slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_1 + slice1cost_pixels_first_0_2_count_5
+        + slice1cost_pixels_first_0_2_count_0 + slice1cost_pixels_first_0_2_count_2;
+      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0_count_6 + slice1cost_pixels_first_1_0_count_4 +
+        slice1cost_pixels_first_1_0_count_3 + slice1cost_pixels_first_1_0_count_1 + slice1cost_pixels_first_1_0_count_5
+        + slice1cost_pixels_first_1_0_count_0 + slice1cost_pixels_first_1_0_count_2;
+      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1_count_6 + slice1cost_pixels_first_1_1_count_4 +
+        slice1cost_pixels_first_1_1_count_3 + slice1cost_pixels_first_1_1_count_1 + slice1cost_pixels_first_1_1_count_5
+        + slice1cost_pixels_first_1_1_count_0 + slice1cost_pixels_first_1_1_count_2;
+      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2_count_6 + slice1cost_pixels_first_1_2_count_4 +
+        slice1cost_pixels_first_1_2_count_3 + slice1cost_pixels_first_1_2_count_1 + slice1cost_pixels_first_1_2_count_5
+        + slice1cost_pixels_first_1_2_count_0 + slice1cost_pixels_first_1_2_count_2;
+      slice1cost_pixels_cost_2_0 <= slice1cost_pixels_first_2_0_count_6 + slice1cost_pixels_first_2_0_count_4 +
+        slice1cost_pixels_first_2_0_count_3 + slice1cost_pixels_first_2_0_count_1 + slice1cost_pixels_first_2_0_count_5
+        + slice1cost_pixels_first_2_0_count_0 + slice1cost_pixels_first_2_0_count_2;
+      slice1cost_pixels_cost_2_1 <= slice1cost_pixels_first_2_1_count_6 + slice1cost_pixels_first_2_1_count_4 +
+        slice1cost_pixels_first_2_1_count_3 + slice1cost_pixels_first_2_1_count_1 + slice1cost_pixels_first_2_1_count_5
+        + slice1cost_pixels_first_2_1_count_0 + slice1cost_pixels_first_2_1_count_2;
+      slice1cost_pixels_cost_2_2 <= slice1cost_pixels_first_2_2_count_6 + slice1cost_pixels_first_2_2_count_4 +
+        slice1cost_pixels_first_2_2_count_3 + slice1cost_pixels_first_2_2_count_1 + slice1cost_pixels_first_2_2_count_5
+        + slice1cost_pixels_first_2_2_count_0 + slice1cost_pixels_first_2_2_count_2;
+      slice1cost_pixels_cost_3_0 <= slice1cost_pixels_first_3_0_count_6 + slice1cost_pixels_first_3_0_count_4 +
+        slice1cost_pixels_first_3_0_count_3 + slice1cost_pixels_first_3_0_count_1 + slice1cost_pixels_first_3_0_count_5
+        + slice1cost_pixels_first_3_0_count_0 + slice1cost_pixels_first_3_0_count_2;
+      slice1cost_pixels_cost_3_1 <= slice1cost_pixels_first_3_1_count_6 + slice1cost_pixels_first_3_1_count_4 +
+        slice1cost_pixels_first_3_1_count_3 + slice1cost_pixels_first_3_1_count_1 + slice1cost_pixels_first_3_1_count_5
+        + slice1cost_pixels_first_3_1_count_0 + slice1cost_pixels_first_3_1_count_2;
+      slice1cost_pixels_cost_3_2 <= slice1cost_pixels_first_3_2_count_6 + slice1cost_pixels_first_3_2_count_4 +
+        slice1cost_pixels_first_3_2_count_3 + slice1cost_pixels_first_3_2_count_1 + slice1cost_pixels_first_3_2_count_5
+        + slice1cost_pixels_first_3_2_count_0 + slice1cost_pixels_first_3_2_count_2;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_0 +
+        slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_1 +
+        slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_2 +
+        slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_1_0 +
+        slice1cost_pixels_cost_2_0 + slice1cost_pixels_cost_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_1_1 +
+        slice1cost_pixels_cost_2_1 + slice1cost_pixels_cost_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_1_2 +
+        slice1cost_pixels_cost_2_2 + slice1cost_pixels_cost_3_2;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
+        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
+        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
+        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
+        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
+        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
+      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
+      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
+      -- slice1winner1
+      slice1winner1_best_index_0_0_choice := (not (((slice1window_sum_0_1 / 2) mod 2) = 1)) or (not
+        ((slice1window_sum_0_1 mod 2) = 1)) when (slice1window_sum_0_0 mod 2) = 1 else not (((slice1window_sum_0_1 / 2)
+        mod 2) = 1);
+      slice1winner1_best_index_0_0_choice_2 := slice1winner1_best_index_0_0_choice when ((slice1window_sum_0_0 / 2) mod
+        2) = 1 else ((slice1window_sum_0_0 mod 2) = 1) and ((slice1window_sum_0_1 mod 4) = 0);
+      slice1winner1_best_index_0_0_value := ((slice1window_sum_0_1 / 4) mod 2) = 1;
+      slice1winner1_best_index_0_0_choice_3 := (not (((slice1window_sum_0_0 / 4) mod 2) = 1)) and
+        slice1winner1_best_index_0_0_value when slice1winner1_best_index_0_0_choice_2 else (not (((slice1window_sum_0_0
+        / 4) mod 2) = 1)) or slice1winner1_best_index_0_0_value;
+      slice1winner1_best_index_0_0_value_2 := ((slice1window_sum_0_1 / 8) mod 2) = 1;
+      slice1winner1_best_index_0_0_choice_4 := (not (((slice1window_sum_0_0 / 8) mod 2) = 1)) or
+        slice1winner1_best_index_0_0_value_2 when slice1winner1_best_index_0_0_choice_3 else (not
+        (((slice1window_sum_0_0 / 8) mod 2) = 1)) and slice1winner1_best_index_0_0_value_2;
+      slice1winner1_best_index_0_0_value_3 := ((slice1window_sum_0_1 / 16) mod 2) = 1;
+      slice1winner1_best_index_0_0_choice_5 := (not (((slice1window_sum_0_0 / 16) mod 2) = 1)) or
+        slice1winner1_best_index_0_0_value_3 when slice1winner1_best_index_0_0_choice_4 else (not
+        (((slice1window_sum_0_0 / 16) mod 2) = 1)) and slice1winner1_best_index_0_0_value_3;
+      slice1winner1_best_index_0_0_value_4 := ((slice1window_sum_0_1 / 32) mod 2) = 1;
+      slice1winner1_best_index_0_0_choice_6 := (not (((slice1window_sum_0_0 / 32) mod 2) = 1)) or
+        slice1winner1_best_index_0_0_value_4 when slice1winner1_best_index_0_0_choice_5 else (not
+        (((slice1window_sum_0_0 / 32) mod 2) = 1)) and slice1winner1_best_index_0_0_value_4;
+      slice1winner1_best_index_0_0_value_5 := ((slice1window_sum_0_1 / 64) mod 2) = 1;
+      slice1winner1_best_index_0_0_choice_7 := (not (((slice1window_sum_0_0 / 64) mod 2) = 1)) or
+        slice1winner1_best_index_0_0_value_5 when slice1winner1_best_index_0_0_choice_6 else (not
+        (((slice1window_sum_0_0 / 64) mod 2) = 1)) and slice1winner1_best_index_0_0_value_5;
+      slice1winner1_best_index_1_0_choice := (not (((slice1window_sum_1_1 / 2) mod 2) = 1)) or (not
+        ((slice1window_sum_1_1 mod 2) = 1)) when (slice1window_sum_1_0 mod 2) = 1 else not (((slice1window_sum_1_1 / 2)
+        mod 2) = 1);
+      slice1winner1_best_index_1_0_choice_2 := slice1winner1_best_index_1_0_choice when ((slice1window_sum_1_0 / 2) mod
+        2) = 1 else ((slice1window_sum_1_0 mod 2) = 1) and ((slice1window_sum_1_1 mod 4) = 0);
+      slice1winner1_best_index_1_0_value := ((slice1window_sum_1_1 / 4) mod 2) = 1;
+      slice1winner1_best_index_1_0_choice_3 := (not (((slice1window_sum_1_0 / 4) mod 2) = 1)) and
+        slice1winner1_best_index_1_0_value when slice1winner1_best_index_1_0_choice_2 else (not (((slice1window_sum_1_0
+        / 4) mod 2) = 1)) or slice1winner1_best_index_1_0_value;
+      slice1winner1_best_index_1_0_value_2 := ((slice1window_sum_1_1 / 8) mod 2) = 1;
+      slice1winner1_best_index_1_0_choice_4 := (not (((slice1window_sum_1_0 / 8) mod 2) = 1)) or
+        slice1winner1_best_index_1_0_value_2 when slice1winner1_best_index_1_0_choice_3 else (not
+        (((slice1window_sum_1_0 / 8) mod 2) = 1)) and slice1winner1_best_index_1_0_value_2;
+      slice1winner1_best_index_1_0_value_3 := ((slice1window_sum_1_1 / 16) mod 2) = 1;
+      slice1winner1_best_index_1_0_choice_5 := (not (((slice1window_sum_1_0 / 16) mod 2) = 1)) or
+        slice1winner1_best_index_1_0_value_3 when slice1winner1_best_index_1_0_choice_4 else (not
+        (((slice1window_sum_1_0 / 16) mod 2) = 1)) and slice1winner1_best_index_1_0_value_3;
+      slice1winner1_best_index_1_0_value_4 := ((slice1window_sum_1_1 / 32) mod 2) = 1;
+      slice1winner1_best_index_1_0_choice_6 := (not (((slice1window_sum_1_0 / 32) mod 2) = 1)) or
+        slice1winner1_best_index_1_0_value_4 when slice1winner1_best_index_1_0_choice_5 else (not
+        (((slice1window_sum_1_0 / 32) mod 2) = 1)) and slice1winner1_best_index_1_0_value_4;
+      slice1winner1_best_index_1_0_value_5 := ((slice1window_sum_1_1 / 64) mod 2) = 1;
+      slice1winner1_best_index_1_0_choice_7 := (not (((slice1window_sum_1_0 / 64) mod 2) = 1)) or
+        slice1winner1_best_index_1_0_value_5 when slice1winner1_best_index_1_0_choice_6 else (not
+        (((slice1window_sum_1_0 / 64) mod 2) = 1)) and slice1winner1_best_index_1_0_value_5;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1window_sum_0_1 < slice1window_sum_0_0 else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1window_sum_1_1 < slice1window_sum_1_0 else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_index_0_0 <= ((slice1window_sum_0_0 / 128) = 1) and (not ((slice1window_sum_0_1 / 128) = 1))
+        when slice1winner1_best_index_0_0_choice_7 else ((slice1window_sum_0_0 / 128) = 1) or (not
+        ((slice1window_sum_0_1 / 128) = 1));
+      slice1winner1_best_index_1_0 <= ((slice1window_sum_1_0 / 128) = 1) and (not ((slice1window_sum_1_1 / 128) = 1))
+        when slice1winner1_best_index_1_0_choice_7 else ((slice1window_sum_1_0 / 128) = 1) or (not
+        ((slice1window_sum_1_1 / 128) = 1));
+      -- slice1winner2
+      slice1winner2_best_index_0_0_choice := (not (((slice1winner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+        ((slice1winner1_best_cost_0_1 mod 2) = 1)) when (slice1winner1_best_cost_0_0 mod 2) = 1 else not
+        (((slice1winner1_best_cost_0_1 / 2) mod 2) = 1);
+      slice1winner2_best_index_0_0_choice_2 := slice1winner2_best_index_0_0_choice when ((slice1winner1_best_cost_0_0 /
+        2) mod 2) = 1 else ((slice1winner1_best_cost_0_0 mod 2) = 1) and ((slice1winner1_best_cost_0_1 mod 4) = 0);
+      slice1winner2_best_index_0_0_value := ((slice1winner1_best_cost_0_1 / 4) mod 2) = 1;
+      slice1winner2_best_index_0_0_choice_3 := (not (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        slice1winner2_best_index_0_0_value when slice1winner2_best_index_0_0_choice_2 else (not
+        (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) or slice1winner2_best_index_0_0_value;
+      slice1winner2_best_index_0_0_value_2 := ((slice1winner1_best_cost_0_1 / 8) mod 2) = 1;
+      slice1winner2_best_index_0_0_choice_4 := (not (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        slice1winner2_best_index_0_0_value_2 when slice1winner2_best_index_0_0_choice_3 else (not
+        (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) and slice1winner2_best_index_0_0_value_2;
+      slice1winner2_best_index_0_0_value_3 := ((slice1winner1_best_cost_0_1 / 16) mod 2) = 1;
+      slice1winner2_best_index_0_0_choice_5 := (not (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        slice1winner2_best_index_0_0_value_3 when slice1winner2_best_index_0_0_choice_4 else (not
+        (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) and slice1winner2_best_index_0_0_value_3;
+      slice1winner2_best_index_0_0_value_4 := ((slice1winner1_best_cost_0_1 / 32) mod 2) = 1;
+      slice1winner2_best_index_0_0_choice_6 := (not (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        slice1winner2_best_index_0_0_value_4 when slice1winner2_best_index_0_0_choice_5 else (not
+        (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) and slice1winner2_best_index_0_0_value_4;
+      slice1winner2_best_index_0_0_value_5 := ((slice1winner1_best_cost_0_1 / 64) mod 2) = 1;
+      slice1winner2_best_index_0_0_choice_7 := (not (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) or
+        slice1winner2_best_index_0_0_value_5 when slice1winner2_best_index_0_0_choice_6 else (not
+        (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) and slice1winner2_best_index_0_0_value_5;
+      slice1winner2_best_index_0_0_choice_8 := ((slice1winner1_best_cost_0_0 / 128) = 1) and (not
+        ((slice1winner1_best_cost_0_1 / 128) = 1)) when slice1winner2_best_index_0_0_choice_7 else
+        ((slice1winner1_best_cost_0_0 / 128) = 1) or (not ((slice1winner1_best_cost_0_1 / 128) = 1));
+      slice1winner2_best_index_1_0_choice := (not (((slice1winner1_best_cost_1_1 / 2) mod 2) = 1)) or (not
+        ((slice1winner1_best_cost_1_1 mod 2) = 1)) when (slice1winner1_best_cost_1_0 mod 2) = 1 else not
+        (((slice1winner1_best_cost_1_1 / 2) mod 2) = 1);
+      slice1winner2_best_index_1_0_choice_2 := slice1winner2_best_index_1_0_choice when ((slice1winner1_best_cost_1_0 /
+        2) mod 2) = 1 else ((slice1winner1_best_cost_1_0 mod 2) = 1) and ((slice1winner1_best_cost_1_1 mod 4) = 0);
+      slice1winner2_best_index_1_0_value := ((slice1winner1_best_cost_1_1 / 4) mod 2) = 1;
+      slice1winner2_best_index_1_0_choice_3 := (not (((slice1winner1_best_cost_1_0 / 4) mod 2) = 1)) and
+        slice1winner2_best_index_1_0_value when slice1winner2_best_index_1_0_choice_2 else (not
+        (((slice1winner1_best_cost_1_0 / 4) mod 2) = 1)) or slice1winner2_best_index_1_0_value;
+      slice1winner2_best_index_1_0_value_2 := ((slice1winner1_best_cost_1_1 / 8) mod 2) = 1;
+      slice1winner2_best_index_1_0_choice_4 := (not (((slice1winner1_best_cost_1_0 / 8) mod 2) = 1)) or
+        slice1winner2_best_index_1_0_value_2 when slice1winner2_best_index_1_0_choice_3 else (not
+        (((slice1winner1_best_cost_1_0 / 8) mod 2) = 1)) and slice1winner2_best_index_1_0_value_2;
+      slice1winner2_best_index_1_0_value_3 := ((slice1winner1_best_cost_1_1 / 16) mod 2) = 1;
+      slice1winner2_best_index_1_0_choice_5 := (not (((slice1winner1_best_cost_1_0 / 16) mod 2) = 1)) or
+        slice1winner2_best_index_1_0_value_3 when slice1winner2_best_index_1_0_choice_4 else (not
+        (((slice1winner1_best_cost_1_0 / 16) mod 2) = 1)) and slice1winner2_best_index_1_0_value_3;
+      slice1winner2_best_index_1_0_value_4 := ((slice1winner1_best_cost_1_1 / 32) mod 2) = 1;
+      slice1winner2_best_index_1_0_choice_6 := (not (((slice1winner1_best_cost_1_0 / 32) mod 2) = 1)) or
+        slice1winner2_best_index_1_0_value_4 when slice1winner2_best_index_1_0_choice_5 else (not
+        (((slice1winner1_best_cost_1_0 / 32) mod 2) = 1)) and slice1winner2_best_index_1_0_value_4;
+      slice1winner2_best_index_1_0_value_5 := ((slice1winner1_best_cost_1_1 / 64) mod 2) = 1;
+      slice1winner2_best_index_1_0_choice_7 := (not (((slice1winner1_best_cost_1_0 / 64) mod 2) = 1)) or
+        slice1winner2_best_index_1_0_value_5 when slice1winner2_best_index_1_0_choice_6 else (not
+        (((slice1winner1_best_cost_1_0 / 64) mod 2) = 1)) and slice1winner2_best_index_1_0_value_5;
+      slice1winner2_best_index_1_0_choice_8 := ((slice1winner1_best_cost_1_0 / 128) = 1) and (not
+        ((slice1winner1_best_cost_1_1 / 128) = 1)) when slice1winner2_best_index_1_0_choice_7 else
+        ((slice1winner1_best_cost_1_0 / 128) = 1) or (not ((slice1winner1_best_cost_1_1 / 128) = 1));
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner1_best_cost_0_1 <
+        slice1winner1_best_cost_0_0 else slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner1_best_cost_1_1 <
+        slice1winner1_best_cost_1_0 else slice1winner1_best_cost_1_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_index_0_0_choice_8 else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_index_1_0_choice_8 else
+        as_number(slice1winner1_best_index_1_0);
+      -- slice1
+      slice1_best_index_0_0_choice := (not (((slice0_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_0_0 mod
+        2) = 1)) when (slice1winner2_best_cost_0_0 mod 2) = 1 else not (((slice0_best_cost_0_0 / 2) mod 2) = 1);
+      slice1_best_index_0_0_choice_2 := slice1_best_index_0_0_choice when ((slice1winner2_best_cost_0_0 / 2) mod 2) = 1
+        else ((slice1winner2_best_cost_0_0 mod 2) = 1) and ((slice0_best_cost_0_0 mod 4) = 0);
+      slice1_best_index_0_0_value := ((slice0_best_cost_0_0 / 4) mod 2) = 1;
+      slice1_best_index_0_0_choice_3 := (not (((slice1winner2_best_cost_0_0 / 4) mod 2) = 1)) and
+        slice1_best_index_0_0_value when slice1_best_index_0_0_choice_2 else (not (((slice1winner2_best_cost_0_0 / 4)
+        mod 2) = 1)) or slice1_best_index_0_0_value;
+      slice1_best_index_0_0_value_2 := ((slice0_best_cost_0_0 / 8) mod 2) = 1;
+      slice1_best_index_0_0_choice_4 := (not (((slice1winner2_best_cost_0_0 / 8) mod 2) = 1)) or
+        slice1_best_index_0_0_value_2 when slice1_best_index_0_0_choice_3 else (not (((slice1winner2_best_cost_0_0 / 8)
+        mod 2) = 1)) and slice1_best_index_0_0_value_2;
+      slice1_best_index_0_0_value_3 := ((slice0_best_cost_0_0 / 16) mod 2) = 1;
+      slice1_best_index_0_0_choice_5 := (not (((slice1winner2_best_cost_0_0 / 16) mod 2) = 1)) or
+        slice1_best_index_0_0_value_3 when slice1_best_index_0_0_choice_4 else (not (((slice1winner2_best_cost_0_0 /
+        16) mod 2) = 1)) and slice1_best_index_0_0_value_3;
+      slice1_best_index_0_0_value_4 := ((slice0_best_cost_0_0 / 32) mod 2) = 1;
+      slice1_best_index_0_0_choice_6 := (not (((slice1winner2_best_cost_0_0 / 32) mod 2) = 1)) or
+        slice1_best_index_0_0_value_4 when slice1_best_index_0_0_choice_5 else (not (((slice1winner2_best_cost_0_0 /
+        32) mod 2) = 1)) and slice1_best_index_0_0_value_4;
+      slice1_best_index_0_0_value_5 := ((slice0_best_cost_0_0 / 64) mod 2) = 1;
+      slice1_best_index_0_0_choice_7 := (not (((slice1winner2_best_cost_0_0 / 64) mod 2) = 1)) or
+        slice1_best_index_0_0_value_5 when slice1_best_index_0_0_choice_6 else (not (((slice1winner2_best_cost_0_0 /
+        64) mod 2) = 1)) and slice1_best_index_0_0_value_5;
+      slice1_best_index_0_0_choice_8 := ((slice1winner2_best_cost_0_0 / 128) = 1) and (not ((slice0_best_cost_0_0 /
+        128) = 1)) when slice1_best_index_0_0_choice_7 else ((slice1winner2_best_cost_0_0 / 128) = 1) or (not
+        ((slice0_best_cost_0_0 / 128) = 1));
+      slice1_best_index_1_0_choice := (not (((slice0_best_cost_1_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_1_0 mod
+        2) = 1)) when (slice1winner2_best_cost_1_0 mod 2) = 1 else not (((slice0_best_cost_1_0 / 2) mod 2) = 1);
+      slice1_best_index_1_0_choice_2 := slice1_best_index_1_0_choice when ((slice1winner2_best_cost_1_0 / 2) mod 2) = 1
+        else ((slice1winner2_best_cost_1_0 mod 2) = 1) and ((slice0_best_cost_1_0 mod 4) = 0);
+      slice1_best_index_1_0_value := ((slice0_best_cost_1_0 / 4) mod 2) = 1;
+      slice1_best_index_1_0_choice_3 := (not (((slice1winner2_best_cost_1_0 / 4) mod 2) = 1)) and
+        slice1_best_index_1_0_value when slice1_best_index_1_0_choice_2 else (not (((slice1winner2_best_cost_1_0 / 4)
+        mod 2) = 1)) or slice1_best_index_1_0_value;
+      slice1_best_index_1_0_value_2 := ((slice0_best_cost_1_0 / 8) mod 2) = 1;
+      slice1_best_index_1_0_choice_4 := (not (((slice1winner2_best_cost_1_0 / 8) mod 2) = 1)) or
+        slice1_best_index_1_0_value_2 when slice1_best_index_1_0_choice_3 else (not (((slice1winner2_best_cost_1_0 / 8)
+        mod 2) = 1)) and slice1_best_index_1_0_value_2;
+      slice1_best_index_1_0_value_3 := ((slice0_best_cost_1_0 / 16) mod 2) = 1;
+      slice1_best_index_1_0_choice_5 := (not (((slice1winner2_best_cost_1_0 / 16) mod 2) = 1)) or
+        slice1_best_index_1_0_value_3 when slice1_best_index_1_0_choice_4 else (not (((slice1winner2_best_cost_1_0 /
+        16) mod 2) = 1)) and slice1_best_index_1_0_value_3;
+      slice1_best_index_1_0_value_4 := ((slice0_best_cost_1_0 / 32) mod 2) = 1;
+      slice1_best_index_1_0_choice_6 := (not (((slice1winner2_best_cost_1_0 / 32) mod 2) = 1)) or
+        slice1_best_index_1_0_value_4 when slice1_best_index_1_0_choice_5 else (not (((slice1winner2_best_cost_1_0 /
+        32) mod 2) = 1)) and slice1_best_index_1_0_value_4;
+      slice1_best_index_1_0_value_5 := ((slice0_best_cost_1_0 / 64) mod 2) = 1;
+      slice1_best_index_1_0_choice_7 := (not (((slice1winner2_best_cost_1_0 / 64) mod 2) = 1)) or
+        slice1_best_index_1_0_value_5 when slice1_best_index_1_0_choice_6 else (not (((slice1winner2_best_cost_1_0 /
+        64) mod 2) = 1)) and slice1_best_index_1_0_value_5;
+      slice1_best_index_1_0_choice_8 := ((slice1winner2_best_cost_1_0 / 128) = 1) and (not ((slice0_best_cost_1_0 /
+        128) = 1)) when slice1_best_index_1_0_choice_7 else ((slice1winner2_best_cost_1_0 / 128) = 1) or (not
+        ((slice0_best_cost_1_0 / 128) = 1));
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice0_best_cost_0_0 < slice1winner2_best_cost_0_0 else
+        slice1winner2_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice0_best_cost_1_0 < slice1winner2_best_cost_1_0 else
+        slice1winner2_best_cost_1_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_choice_8 else
+        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_index_1_0_choice_8 else
+        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_pixels_first_tag_valid then
+        slice2shift_search_0_0 <= slice2shift_search_0_1;
+        slice2shift_search_0_1 <= slice1shift_search_out_0;
+        slice2shift_search_1_0 <= slice2shift_search_1_1;
+        slice2shift_search_1_1 <= slice1shift_search_out_1;
+        slice2shift_search_2_0 <= slice2shift_search_2_1;
+        slice2shift_search_2_1 <= slice1shift_search_out_2;
+        slice2shift_search_3_0 <= slice2shift_search_3_1;
+        slice2shift_search_3_1 <= slice1shift_search_out_3;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference_3 <= slice1shift_reference_3;
+      -- slice2cost
+      slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_search_0_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
+        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
+      slice2cost_pixels_first_0_0_count_0_value_3 := ((slice2shift_reference_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0_value_4 := ((slice2shift_search_0_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
+        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_search_0_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
+        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_4 := ((slice2shift_search_0_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
+        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
+      slice2cost_pixels_first_0_0_count_1_value_5 := ((slice2shift_reference_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_6 := ((slice2shift_search_0_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
+        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_search_0_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
+        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
+      slice2cost_pixels_first_0_0_count_2_value_3 := ((slice2shift_reference_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_value_4 := ((slice2shift_search_0_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
+        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_search_0_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
+        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_4 := ((slice2shift_search_0_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
+        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
+      slice2cost_pixels_first_0_0_count_3_value_5 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_6 := ((slice2shift_search_0_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
+        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_search_0_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
+        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_4 := ((slice2shift_search_0_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
+        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
+      slice2cost_pixels_first_0_0_count_4_value_5 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_6 := ((slice2shift_search_0_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
+        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_search_0_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
+        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_4 := ((slice2shift_search_0_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
+        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
+      slice2cost_pixels_first_0_0_count_5_value_5 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_6 := ((slice2shift_search_0_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
+        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_6_choice := not ((slice2shift_search_0_0 / 524288) = 1) when
+        (slice2shift_reference_0 / 524288) = 1 else (slice2shift_search_0_0 / 524288) = 1;
+      slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_search_0_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_2 when
+        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
+      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
+        ((slice2shift_search_0_1 / 4) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value;
+      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
+        ((slice2shift_search_0_1 / 2) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
+      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
+        ((slice2shift_search_0_1 / 8) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value;
+      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
+        ((slice2shift_search_0_1 / 32) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
+      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
+        ((slice2shift_search_0_1 / 16) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
+      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
+        ((slice2shift_search_0_1 / 256) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value;
+      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
+        ((slice2shift_search_0_1 / 64) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
+      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
+        ((slice2shift_search_0_1 / 512) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value;
+      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
+        ((slice2shift_search_0_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
+      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
+        ((slice2shift_search_0_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
+      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
+        ((slice2shift_search_0_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value;
+      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
+        ((slice2shift_search_0_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
+      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
+        ((slice2shift_search_0_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
+      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
+        ((slice2shift_search_0_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value;
+      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
+        ((slice2shift_search_0_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
+      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
+        ((slice2shift_search_0_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
+      slice2cost_pixels_first_0_1_count_6_choice := not ((slice2shift_reference_0 / 524288) = 1) when
+        (slice2shift_search_0_1 / 524288) = 1 else (slice2shift_reference_0 / 524288) = 1;
+      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value when
+        ((slice2shift_search_0_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value;
+      slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_search_1_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value_2 when
+        slice2cost_pixels_first_1_0_count_0_value else slice2cost_pixels_first_1_0_count_0_value_2;
+      slice2cost_pixels_first_1_0_count_0_value_3 := ((slice2shift_reference_1 / 2) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_value_4 := ((slice2shift_search_1_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_4 when
+        slice2cost_pixels_first_1_0_count_0_value_3 else slice2cost_pixels_first_1_0_count_0_value_4;
+      slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_search_1_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value_2 when
+        slice2cost_pixels_first_1_0_count_1_value else slice2cost_pixels_first_1_0_count_1_value_2;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_4 := ((slice2shift_search_1_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_4 when
+        slice2cost_pixels_first_1_0_count_1_value_3 else slice2cost_pixels_first_1_0_count_1_value_4;
+      slice2cost_pixels_first_1_0_count_1_value_5 := ((slice2shift_reference_1 / 16) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_6 := ((slice2shift_search_1_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_6 when
+        slice2cost_pixels_first_1_0_count_1_value_5 else slice2cost_pixels_first_1_0_count_1_value_6;
+      slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_search_1_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value_2 when
+        slice2cost_pixels_first_1_0_count_2_value else slice2cost_pixels_first_1_0_count_2_value_2;
+      slice2cost_pixels_first_1_0_count_2_value_3 := ((slice2shift_reference_1 / 64) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_value_4 := ((slice2shift_search_1_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_4 when
+        slice2cost_pixels_first_1_0_count_2_value_3 else slice2cost_pixels_first_1_0_count_2_value_4;
+      slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_search_1_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value_2 when
+        slice2cost_pixels_first_1_0_count_3_value else slice2cost_pixels_first_1_0_count_3_value_2;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_4 := ((slice2shift_search_1_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_4 when
+        slice2cost_pixels_first_1_0_count_3_value_3 else slice2cost_pixels_first_1_0_count_3_value_4;
+      slice2cost_pixels_first_1_0_count_3_value_5 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_6 := ((slice2shift_search_1_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_6 when
+        slice2cost_pixels_first_1_0_count_3_value_5 else slice2cost_pixels_first_1_0_count_3_value_6;
+      slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_search_1_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value_2 when
+        slice2cost_pixels_first_1_0_count_4_value else slice2cost_pixels_first_1_0_count_4_value_2;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_4 := ((slice2shift_search_1_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_4 when
+        slice2cost_pixels_first_1_0_count_4_value_3 else slice2cost_pixels_first_1_0_count_4_value_4;
+      slice2cost_pixels_first_1_0_count_4_value_5 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_6 := ((slice2shift_search_1_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_6 when
+        slice2cost_pixels_first_1_0_count_4_value_5 else slice2cost_pixels_first_1_0_count_4_value_6;
+      slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_search_1_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value_2 when
+        slice2cost_pixels_first_1_0_count_5_value else slice2cost_pixels_first_1_0_count_5_value_2;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_4 := ((slice2shift_search_1_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_4 when
+        slice2cost_pixels_first_1_0_count_5_value_3 else slice2cost_pixels_first_1_0_count_5_value_4;
+      slice2cost_pixels_first_1_0_count_5_value_5 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_6 := ((slice2shift_search_1_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_6 when
+        slice2cost_pixels_first_1_0_count_5_value_5 else slice2cost_pixels_first_1_0_count_5_value_6;
+      slice2cost_pixels_first_1_0_count_6_choice := not ((slice2shift_search_1_0 / 524288) = 1) when
+        (slice2shift_reference_1 / 524288) = 1 else (slice2shift_search_1_0 / 524288) = 1;
+      slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_search_1_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_2 when
+        slice2cost_pixels_first_1_0_count_6_value else slice2cost_pixels_first_1_0_count_6_value_2;
+      slice2cost_pixels_first_1_1_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value when
+        ((slice2shift_search_1_1 / 4) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value;
+      slice2cost_pixels_first_1_1_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_3 when
+        ((slice2shift_search_1_1 / 2) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value_3;
+      slice2cost_pixels_first_1_1_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value when
+        ((slice2shift_search_1_1 / 8) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value;
+      slice2cost_pixels_first_1_1_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_3 when
+        ((slice2shift_search_1_1 / 32) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_3;
+      slice2cost_pixels_first_1_1_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_5 when
+        ((slice2shift_search_1_1 / 16) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_5;
+      slice2cost_pixels_first_1_1_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value when
+        ((slice2shift_search_1_1 / 256) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value;
+      slice2cost_pixels_first_1_1_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_3 when
+        ((slice2shift_search_1_1 / 64) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value_3;
+      slice2cost_pixels_first_1_1_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value when
+        ((slice2shift_search_1_1 / 512) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value;
+      slice2cost_pixels_first_1_1_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_3 when
+        ((slice2shift_search_1_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_3;
+      slice2cost_pixels_first_1_1_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_5 when
+        ((slice2shift_search_1_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_5;
+      slice2cost_pixels_first_1_1_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value when
+        ((slice2shift_search_1_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value;
+      slice2cost_pixels_first_1_1_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_3 when
+        ((slice2shift_search_1_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_3;
+      slice2cost_pixels_first_1_1_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_5 when
+        ((slice2shift_search_1_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_5;
+      slice2cost_pixels_first_1_1_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value when
+        ((slice2shift_search_1_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value;
+      slice2cost_pixels_first_1_1_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_3 when
+        ((slice2shift_search_1_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_3;
+      slice2cost_pixels_first_1_1_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_5 when
+        ((slice2shift_search_1_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_5;
+      slice2cost_pixels_first_1_1_count_6_choice := not ((slice2shift_reference_1 / 524288) = 1) when
+        (slice2shift_search_1_1 / 524288) = 1 else (slice2shift_reference_1 / 524288) = 1;
+      slice2cost_pixels_first_1_1_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value when
+        ((slice2shift_search_1_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value;
+      slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_search_2_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value_2 when
+        slice2cost_pixels_first_2_0_count_0_value else slice2cost_pixels_first_2_0_count_0_value_2;
+      slice2cost_pixels_first_2_0_count_0_value_3 := ((slice2shift_reference_2 / 2) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_value_4 := ((slice2shift_search_2_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_4 when
+        slice2cost_pixels_first_2_0_count_0_value_3 else slice2cost_pixels_first_2_0_count_0_value_4;
+      slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_search_2_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value_2 when
+        slice2cost_pixels_first_2_0_count_1_value else slice2cost_pixels_first_2_0_count_1_value_2;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_4 := ((slice2shift_search_2_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_4 when
+        slice2cost_pixels_first_2_0_count_1_value_3 else slice2cost_pixels_first_2_0_count_1_value_4;
+      slice2cost_pixels_first_2_0_count_1_value_5 := ((slice2shift_reference_2 / 16) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_6 := ((slice2shift_search_2_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_6 when
+        slice2cost_pixels_first_2_0_count_1_value_5 else slice2cost_pixels_first_2_0_count_1_value_6;
+      slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_search_2_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value_2 when
+        slice2cost_pixels_first_2_0_count_2_value else slice2cost_pixels_first_2_0_count_2_value_2;
+      slice2cost_pixels_first_2_0_count_2_value_3 := ((slice2shift_reference_2 / 64) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_value_4 := ((slice2shift_search_2_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_4 when
+        slice2cost_pixels_first_2_0_count_2_value_3 else slice2cost_pixels_first_2_0_count_2_value_4;
+      slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_search_2_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value_2 when
+        slice2cost_pixels_first_2_0_count_3_value else slice2cost_pixels_first_2_0_count_3_value_2;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_4 := ((slice2shift_search_2_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_4 when
+        slice2cost_pixels_first_2_0_count_3_value_3 else slice2cost_pixels_first_2_0_count_3_value_4;
+      slice2cost_pixels_first_2_0_count_3_value_5 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_6 := ((slice2shift_search_2_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_6 when
+        slice2cost_pixels_first_2_0_count_3_value_5 else slice2cost_pixels_first_2_0_count_3_value_6;
+      slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_search_2_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value_2 when
+        slice2cost_pixels_first_2_0_count_4_value else slice2cost_pixels_first_2_0_count_4_value_2;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_4 := ((slice2shift_search_2_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_4 when
+        slice2cost_pixels_first_2_0_count_4_value_3 else slice2cost_pixels_first_2_0_count_4_value_4;
+      slice2cost_pixels_first_2_0_count_4_value_5 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_6 := ((slice2shift_search_2_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_6 when
+        slice2cost_pixels_first_2_0_count_4_value_5 else slice2cost_pixels_first_2_0_count_4_value_6;
+      slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_search_2_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value_2 when
+        slice2cost_pixels_first_2_0_count_5_value else slice2cost_pixels_first_2_0_count_5_value_2;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_4 := ((slice2shift_search_2_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_4 when
+        slice2cost_pixels_first_2_0_count_5_value_3 else slice2cost_pixels_first_2_0_count_5_value_4;
+      slice2cost_pixels_first_2_0_count_5_value_5 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_6 := ((slice2shift_search_2_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_6 when
+        slice2cost_pixels_first_2_0_count_5_value_5 else slice2cost_pixels_first_2_0_count_5_value_6;
+      slice2cost_pixels_first_2_0_count_6_choice := not ((slice2shift_search_2_0 / 524288) = 1) when
+        (slice2shift_reference_2 / 524288) = 1 else (slice2shift_search_2_0 / 524288) = 1;
+      slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_search_2_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_2 when
+        slice2cost_pixels_first_2_0_count_6_value else slice2cost_pixels_first_2_0_count_6_value_2;
+      slice2cost_pixels_first_2_1_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value when
+        ((slice2shift_search_2_1 / 4) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value;
+      slice2cost_pixels_first_2_1_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_3 when
+        ((slice2shift_search_2_1 / 2) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value_3;
+      slice2cost_pixels_first_2_1_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value when
+        ((slice2shift_search_2_1 / 8) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value;
+      slice2cost_pixels_first_2_1_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_3 when
+        ((slice2shift_search_2_1 / 32) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_3;
+      slice2cost_pixels_first_2_1_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_5 when
+        ((slice2shift_search_2_1 / 16) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_5;
+      slice2cost_pixels_first_2_1_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value when
+        ((slice2shift_search_2_1 / 256) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value;
+      slice2cost_pixels_first_2_1_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_3 when
+        ((slice2shift_search_2_1 / 64) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value_3;
+      slice2cost_pixels_first_2_1_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value when
+        ((slice2shift_search_2_1 / 512) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value;
+      slice2cost_pixels_first_2_1_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_3 when
+        ((slice2shift_search_2_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_3;
+      slice2cost_pixels_first_2_1_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_5 when
+        ((slice2shift_search_2_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_5;
+      slice2cost_pixels_first_2_1_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value when
+        ((slice2shift_search_2_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value;
+      slice2cost_pixels_first_2_1_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_3 when
+        ((slice2shift_search_2_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_3;
+      slice2cost_pixels_first_2_1_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_5 when
+        ((slice2shift_search_2_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_5;
+      slice2cost_pixels_first_2_1_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value when
+        ((slice2shift_search_2_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value;
+      slice2cost_pixels_first_2_1_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_3 when
+        ((slice2shift_search_2_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_3;
+      slice2cost_pixels_first_2_1_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_5 when
+        ((slice2shift_search_2_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_5;
+      slice2cost_pixels_first_2_1_count_6_choice := not ((slice2shift_reference_2 / 524288) = 1) when
+        (slice2shift_search_2_1 / 524288) = 1 else (slice2shift_reference_2 / 524288) = 1;
+      slice2cost_pixels_first_2_1_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value when
+        ((slice2shift_search_2_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value;
+      slice2cost_pixels_first_3_0_count_0_value := ((slice2shift_reference_3 / 4) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_0_value_2 := ((slice2shift_search_3_0 / 4) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_0_choice := not slice2cost_pixels_first_3_0_count_0_value_2 when
+        slice2cost_pixels_first_3_0_count_0_value else slice2cost_pixels_first_3_0_count_0_value_2;
+      slice2cost_pixels_first_3_0_count_0_value_3 := ((slice2shift_reference_3 / 2) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_0_value_4 := ((slice2shift_search_3_0 / 2) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_0_choice_2 := not slice2cost_pixels_first_3_0_count_0_value_4 when
+        slice2cost_pixels_first_3_0_count_0_value_3 else slice2cost_pixels_first_3_0_count_0_value_4;
+      slice2cost_pixels_first_3_0_count_1_value := ((slice2shift_reference_3 / 8) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_1_value_2 := ((slice2shift_search_3_0 / 8) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_1_choice := not slice2cost_pixels_first_3_0_count_1_value_2 when
+        slice2cost_pixels_first_3_0_count_1_value else slice2cost_pixels_first_3_0_count_1_value_2;
+      slice2cost_pixels_first_3_0_count_1_value_3 := ((slice2shift_reference_3 / 32) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_1_value_4 := ((slice2shift_search_3_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_1_choice_2 := not slice2cost_pixels_first_3_0_count_1_value_4 when
+        slice2cost_pixels_first_3_0_count_1_value_3 else slice2cost_pixels_first_3_0_count_1_value_4;
+      slice2cost_pixels_first_3_0_count_1_value_5 := ((slice2shift_reference_3 / 16) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_1_value_6 := ((slice2shift_search_3_0 / 16) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_1_choice_3 := not slice2cost_pixels_first_3_0_count_1_value_6 when
+        slice2cost_pixels_first_3_0_count_1_value_5 else slice2cost_pixels_first_3_0_count_1_value_6;
+      slice2cost_pixels_first_3_0_count_2_value := ((slice2shift_reference_3 / 256) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_2_value_2 := ((slice2shift_search_3_0 / 256) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_2_choice := not slice2cost_pixels_first_3_0_count_2_value_2 when
+        slice2cost_pixels_first_3_0_count_2_value else slice2cost_pixels_first_3_0_count_2_value_2;
+      slice2cost_pixels_first_3_0_count_2_value_3 := ((slice2shift_reference_3 / 64) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_2_value_4 := ((slice2shift_search_3_0 / 64) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_2_choice_2 := not slice2cost_pixels_first_3_0_count_2_value_4 when
+        slice2cost_pixels_first_3_0_count_2_value_3 else slice2cost_pixels_first_3_0_count_2_value_4;
+      slice2cost_pixels_first_3_0_count_3_value := ((slice2shift_reference_3 / 512) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_3_value_2 := ((slice2shift_search_3_0 / 512) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_3_choice := not slice2cost_pixels_first_3_0_count_3_value_2 when
+        slice2cost_pixels_first_3_0_count_3_value else slice2cost_pixels_first_3_0_count_3_value_2;
+      slice2cost_pixels_first_3_0_count_3_value_3 := ((slice2shift_reference_3 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_3_value_4 := ((slice2shift_search_3_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_3_choice_2 := not slice2cost_pixels_first_3_0_count_3_value_4 when
+        slice2cost_pixels_first_3_0_count_3_value_3 else slice2cost_pixels_first_3_0_count_3_value_4;
+      slice2cost_pixels_first_3_0_count_3_value_5 := ((slice2shift_reference_3 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_3_value_6 := ((slice2shift_search_3_0 / 1024) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_3_choice_3 := not slice2cost_pixels_first_3_0_count_3_value_6 when
+        slice2cost_pixels_first_3_0_count_3_value_5 else slice2cost_pixels_first_3_0_count_3_value_6;
+      slice2cost_pixels_first_3_0_count_4_value := ((slice2shift_reference_3 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_4_value_2 := ((slice2shift_search_3_0 / 4096) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_4_choice := not slice2cost_pixels_first_3_0_count_4_value_2 when
+        slice2cost_pixels_first_3_0_count_4_value else slice2cost_pixels_first_3_0_count_4_value_2;
+      slice2cost_pixels_first_3_0_count_4_value_3 := ((slice2shift_reference_3 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_4_value_4 := ((slice2shift_search_3_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_4_choice_2 := not slice2cost_pixels_first_3_0_count_4_value_4 when
+        slice2cost_pixels_first_3_0_count_4_value_3 else slice2cost_pixels_first_3_0_count_4_value_4;
+      slice2cost_pixels_first_3_0_count_4_value_5 := ((slice2shift_reference_3 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_4_value_6 := ((slice2shift_search_3_0 / 8192) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_4_choice_3 := not slice2cost_pixels_first_3_0_count_4_value_6 when
+        slice2cost_pixels_first_3_0_count_4_value_5 else slice2cost_pixels_first_3_0_count_4_value_6;
+      slice2cost_pixels_first_3_0_count_5_value := ((slice2shift_reference_3 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_5_value_2 := ((slice2shift_search_3_0 / 32768) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_5_choice := not slice2cost_pixels_first_3_0_count_5_value_2 when
+        slice2cost_pixels_first_3_0_count_5_value else slice2cost_pixels_first_3_0_count_5_value_2;
+      slice2cost_pixels_first_3_0_count_5_value_3 := ((slice2shift_reference_3 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_5_value_4 := ((slice2shift_search_3_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_5_choice_2 := not slice2cost_pixels_first_3_0_count_5_value_4 when
+        slice2cost_pixels_first_3_0_count_5_value_3 else slice2cost_pixels_first_3_0_count_5_value_4;
+      slice2cost_pixels_first_3_0_count_5_value_5 := ((slice2shift_reference_3 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_5_value_6 := ((slice2shift_search_3_0 / 65536) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_5_choice_3 := not slice2cost_pixels_first_3_0_count_5_value_6 when
+        slice2cost_pixels_first_3_0_count_5_value_5 else slice2cost_pixels_first_3_0_count_5_value_6;
+      slice2cost_pixels_first_3_0_count_6_choice := not ((slice2shift_search_3_0 / 524288) = 1) when
+        (slice2shift_reference_3 / 524288) = 1 else (slice2shift_search_3_0 / 524288) = 1;
+      slice2cost_pixels_first_3_0_count_6_value := ((slice2shift_reference_3 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_6_value_2 := ((slice2shift_search_3_0 / 262144) mod 2) = 1;
+      slice2cost_pixels_first_3_0_count_6_choice_2 := not slice2cost_pixels_first_3_0_count_6_value_2 when
+        slice2cost_pixels_first_3_0_count_6_value else slice2cost_pixels_first_3_0_count_6_value_2;
+      slice2cost_pixels_first_3_1_count_0_choice := not slice2cost_pixels_first_3_0_count_0_value when
+        ((slice2shift_search_3_1 / 4) mod 2) = 1 else slice2cost_pixels_first_3_0_count_0_value;
+      slice2cost_pixels_first_3_1_count_0_choice_2 := not slice2cost_pixels_first_3_0_count_0_value_3 when
+        ((slice2shift_search_3_1 / 2) mod 2) = 1 else slice2cost_pixels_first_3_0_count_0_value_3;
+      slice2cost_pixels_first_3_1_count_1_choice := not slice2cost_pixels_first_3_0_count_1_value when
+        ((slice2shift_search_3_1 / 8) mod 2) = 1 else slice2cost_pixels_first_3_0_count_1_value;
+      slice2cost_pixels_first_3_1_count_1_choice_2 := not slice2cost_pixels_first_3_0_count_1_value_3 when
+        ((slice2shift_search_3_1 / 32) mod 2) = 1 else slice2cost_pixels_first_3_0_count_1_value_3;
+      slice2cost_pixels_first_3_1_count_1_choice_3 := not slice2cost_pixels_first_3_0_count_1_value_5 when
+        ((slice2shift_search_3_1 / 16) mod 2) = 1 else slice2cost_pixels_first_3_0_count_1_value_5;
+      slice2cost_pixels_first_3_1_count_2_choice := not slice2cost_pixels_first_3_0_count_2_value when
+        ((slice2shift_search_3_1 / 256) mod 2) = 1 else slice2cost_pixels_first_3_0_count_2_value;
+      slice2cost_pixels_first_3_1_count_2_choice_2 := not slice2cost_pixels_first_3_0_count_2_value_3 when
+        ((slice2shift_search_3_1 / 64) mod 2) = 1 else slice2cost_pixels_first_3_0_count_2_value_3;
+      slice2cost_pixels_first_3_1_count_3_choice := not slice2cost_pixels_first_3_0_count_3_value when
+        ((slice2shift_search_3_1 / 512) mod 2) = 1 else slice2cost_pixels_first_3_0_count_3_value;
+      slice2cost_pixels_first_3_1_count_3_choice_2 := not slice2cost_pixels_first_3_0_count_3_value_3 when
+        ((slice2shift_search_3_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_3_0_count_3_value_3;
+      slice2cost_pixels_first_3_1_count_3_choice_3 := not slice2cost_pixels_first_3_0_count_3_value_5 when
+        ((slice2shift_search_3_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_3_0_count_3_value_5;
+      slice2cost_pixels_first_3_1_count_4_choice := not slice2cost_pixels_first_3_0_count_4_value when
+        ((slice2shift_search_3_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_3_0_count_4_value;
+      slice2cost_pixels_first_3_1_count_4_choice_2 := not slice2cost_pixels_first_3_0_count_4_value_3 when
+        ((slice2shift_search_3_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_3_0_count_4_value_3;
+      slice2cost_pixels_first_3_1_count_4_choice_3 := not slice2cost_pixels_first_3_0_count_4_value_5 when
+        ((slice2shift_search_3_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_3_0_count_4_value_5;
+      slice2cost_pixels_first_3_1_count_5_choice := not slice2cost_pixels_first_3_0_count_5_value when
+        ((slice2shift_search_3_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_3_0_count_5_value;
+      slice2cost_pixels_first_3_1_count_5_choice_2 := not slice2cost_pixels_first_3_0_count_5_value_3 when
+        ((slice2shift_search_3_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_3_0_count_5_value_3;
+      slice2cost_pixels_first_3_1_count_5_choice_3 := not slice2cost_pixels_first_3_0_count_5_value_5 when
+        ((slice2shift_search_3_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_3_0_count_5_value_5;
+      slice2cost_pixels_first_3_1_count_6_choice := not ((slice2shift_reference_3 / 524288) = 1) when
+        (slice2shift_search_3_1 / 524288) = 1 else (slice2shift_reference_3 / 524288) = 1;
+      slice2cost_pixels_first_3_1_count_6_choice_2 := not slice2cost_pixels_first_3_0_count_6_value when
+        ((slice2shift_search_3_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_3_0_count_6_value;
+      slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
+      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+      slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
+      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
+      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
+      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
+      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_6_choice_2);
+      slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
+      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+      slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
+      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
+      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
+      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
+      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_6_choice_2);
+      slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_0_count_0_choice) +
+        as_number(slice2cost_pixels_first_1_0_count_0_choice_2);
+      slice2cost_pixels_first_1_0_count_1 <= as_number(slice2cost_pixels_first_1_0_count_1_choice) +
+        as_number(slice2cost_pixels_first_1_0_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_1_0_count_1_choice_3);
+      slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_1_0_count_2_choice) + as_number(slice2cost_pixels_first_1_0_count_2_choice_2);
+      slice2cost_pixels_first_1_0_count_3 <= as_number(slice2cost_pixels_first_1_0_count_3_choice) +
+        as_number(slice2cost_pixels_first_1_0_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_1_0_count_3_choice_3);
+      slice2cost_pixels_first_1_0_count_4 <= as_number(slice2cost_pixels_first_1_0_count_4_choice) +
+        as_number(slice2cost_pixels_first_1_0_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_1_0_count_4_choice_3);
+      slice2cost_pixels_first_1_0_count_5 <= as_number(slice2cost_pixels_first_1_0_count_5_choice) +
+        as_number(slice2cost_pixels_first_1_0_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_1_0_count_5_choice_3);
+      slice2cost_pixels_first_1_0_count_6 <= as_number(slice2cost_pixels_first_1_0_count_6_choice) +
+        as_number(slice2cost_pixels_first_1_0_count_6_choice_2);
+      slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_1_count_0_choice) +
+        as_number(slice2cost_pixels_first_1_1_count_0_choice_2);
+      slice2cost_pixels_first_1_1_count_1 <= as_number(slice2cost_pixels_first_1_1_count_1_choice) +
+        as_number(slice2cost_pixels_first_1_1_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_1_1_count_1_choice_3);
+      slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_1_1_count_2_choice) + as_number(slice2cost_pixels_first_1_1_count_2_choice_2);
+      slice2cost_pixels_first_1_1_count_3 <= as_number(slice2cost_pixels_first_1_1_count_3_choice) +
+        as_number(slice2cost_pixels_first_1_1_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_1_1_count_3_choice_3);
+      slice2cost_pixels_first_1_1_count_4 <= as_number(slice2cost_pixels_first_1_1_count_4_choice) +
+        as_number(slice2cost_pixels_first_1_1_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_1_1_count_4_choice_3);
+      slice2cost_pixels_first_1_1_count_5 <= as_number(slice2cost_pixels_first_1_1_count_5_choice) +
+        as_number(slice2cost_pixels_first_1_1_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_1_1_count_5_choice_3);
+      slice2cost_pixels_first_1_1_count_6 <= as_number(slice2cost_pixels_first_1_1_count_6_choice) +
+        as_number(slice2cost_pixels_first_1_1_count_6_choice_2);
+      slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_0_count_0_choice) +
+        as_number(slice2cost_pixels_first_2_0_count_0_choice_2);
+      slice2cost_pixels_first_2_0_count_1 <= as_number(slice2cost_pixels_first_2_0_count_1_choice) +
+        as_number(slice2cost_pixels_first_2_0_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_2_0_count_1_choice_3);
+      slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_2_0_count_2_choice) + as_number(slice2cost_pixels_first_2_0_count_2_choice_2);
+      slice2cost_pixels_first_2_0_count_3 <= as_number(slice2cost_pixels_first_2_0_count_3_choice) +
+        as_number(slice2cost_pixels_first_2_0_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_2_0_count_3_choice_3);
+      slice2cost_pixels_first_2_0_count_4 <= as_number(slice2cost_pixels_first_2_0_count_4_choice) +
+        as_number(slice2cost_pixels_first_2_0_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_2_0_count_4_choice_3);
+      slice2cost_pixels_first_2_0_count_5 <= as_number(slice2cost_pixels_first_2_0_count_5_choice) +
+        as_number(slice2cost_pixels_first_2_0_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_2_0_count_5_choice_3);
+      slice2cost_pixels_first_2_0_count_6 <= as_number(slice2cost_pixels_first_2_0_count_6_choice) +
+        as_number(slice2cost_pixels_first_2_0_count_6_choice_2);
+      slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_1_count_0_choice) +
+        as_number(slice2cost_pixels_first_2_1_count_0_choice_2);
+      slice2cost_pixels_first_2_1_count_1 <= as_number(slice2cost_pixels_first_2_1_count_1_choice) +
+        as_number(slice2cost_pixels_first_2_1_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_2_1_count_1_choice_3);
+      slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_2_1_count_2_choice) + as_number(slice2cost_pixels_first_2_1_count_2_choice_2);
+      slice2cost_pixels_first_2_1_count_3 <= as_number(slice2cost_pixels_first_2_1_count_3_choice) +
+        as_number(slice2cost_pixels_first_2_1_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_2_1_count_3_choice_3);
+      slice2cost_pixels_first_2_1_count_4 <= as_number(slice2cost_pixels_first_2_1_count_4_choice) +
+        as_number(slice2cost_pixels_first_2_1_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_2_1_count_4_choice_3);
+      slice2cost_pixels_first_2_1_count_5 <= as_number(slice2cost_pixels_first_2_1_count_5_choice) +
+        as_number(slice2cost_pixels_first_2_1_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_2_1_count_5_choice_3);
+      slice2cost_pixels_first_2_1_count_6 <= as_number(slice2cost_pixels_first_2_1_count_6_choice) +
+        as_number(slice2cost_pixels_first_2_1_count_6_choice_2);
+      slice2cost_pixels_first_3_0_count_0 <= as_number((((slice2shift_search_3_0 mod 2) = 1) /=
+        ((slice2shift_reference_3 mod 2) = 1))) + as_number(slice2cost_pixels_first_3_0_count_0_choice) +
+        as_number(slice2cost_pixels_first_3_0_count_0_choice_2);
+      slice2cost_pixels_first_3_0_count_1 <= as_number(slice2cost_pixels_first_3_0_count_1_choice) +
+        as_number(slice2cost_pixels_first_3_0_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_3_0_count_1_choice_3);
+      slice2cost_pixels_first_3_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_3_0 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_3_0_count_2_choice) + as_number(slice2cost_pixels_first_3_0_count_2_choice_2);
+      slice2cost_pixels_first_3_0_count_3 <= as_number(slice2cost_pixels_first_3_0_count_3_choice) +
+        as_number(slice2cost_pixels_first_3_0_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_3_0_count_3_choice_3);
+      slice2cost_pixels_first_3_0_count_4 <= as_number(slice2cost_pixels_first_3_0_count_4_choice) +
+        as_number(slice2cost_pixels_first_3_0_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_3_0_count_4_choice_3);
+      slice2cost_pixels_first_3_0_count_5 <= as_number(slice2cost_pixels_first_3_0_count_5_choice) +
+        as_number(slice2cost_pixels_first_3_0_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_3_0_count_5_choice_3);
+      slice2cost_pixels_first_3_0_count_6 <= as_number(slice2cost_pixels_first_3_0_count_6_choice) +
+        as_number(slice2cost_pixels_first_3_0_count_6_choice_2);
+      slice2cost_pixels_first_3_1_count_0 <= as_number((((slice2shift_search_3_1 mod 2) = 1) /=
+        ((slice2shift_reference_3 mod 2) = 1))) + as_number(slice2cost_pixels_first_3_1_count_0_choice) +
+        as_number(slice2cost_pixels_first_3_1_count_0_choice_2);
+      slice2cost_pixels_first_3_1_count_1 <= as_number(slice2cost_pixels_first_3_1_count_1_choice) +
+        as_number(slice2cost_pixels_first_3_1_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_3_1_count_1_choice_3);
+      slice2cost_pixels_first_3_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_3_1 mod 256), 8)) xor
+        (to_unsigned((slice2shift_reference_3 mod 256), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_3_1_count_2_choice) + as_number(slice2cost_pixels_first_3_1_count_2_choice_2);
+      slice2cost_pixels_first_3_1_count_3 <= as_number(slice2cost_pixels_first_3_1_count_3_choice) +
+        as_number(slice2cost_pixels_first_3_1_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_3_1_count_3_choice_3);
+      slice2cost_pixels_first_3_1_count_4 <= as_number(slice2cost_pixels_first_3_1_count_4_choice) +
+        as_number(slice2cost_pixels_first_3_1_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_3_1_count_4_choice_3);
+      slice2cost_pixels_first_3_1_count_5 <= as_number(slice2cost_pixels_first_3_1_count_5_choice) +
+        as_number(slice2cost_pixels_first_3_1_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_3_1_count_5_choice_3);
+      slice2cost_pixels_first_3_1_count_6 <= as_number(slice2cost_pixels_first_3_1_count_6_choice) +
+        as_number(slice2cost_pixels_first_3_1_count_6_choice_2);
+      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_6 + slice2cost_pixels_first_0_0_count_4 +
+        slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_1 + slice2cost_pixels_first_0_0_count_5
+        + slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2;
+      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_6 + slice2cost_pixels_first_0_1_count_4 +
+        slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_1 + slice2cost_pixels_first_0_1_count_5
+        + slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_2;
+      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0_count_6 + slice2cost_pixels_first_1_0_count_4 +
+        slice2cost_pixels_first_1_0_count_3 + slice2cost_pixels_first_1_0_count_1 + slice2cost_pixels_first_1_0_count_5
+        + slice2cost_pixels_first_1_0_count_0 + slice2cost_pixels_first_1_0_count_2;
+      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1_count_6 + slice2cost_pixels_first_1_1_count_4 +
+        slice2cost_pixels_first_1_1_count_3 + slice2cost_pixels_first_1_1_count_1 + slice2cost_pixels_first_1_1_count_5
+        + slice2cost_pixels_first_1_1_count_0 + slice2cost_pixels_first_1_1_count_2;
+      slice2cost_pixels_cost_2_0 <= slice2cost_pixels_first_2_0_count_6 + slice2cost_pixels_first_2_0_count_4 +
+        slice2cost_pixels_first_2_0_count_3 + slice2cost_pixels_first_2_0_count_1 + slice2cost_pixels_first_2_0_count_5
+        + slice2cost_pixels_first_2_0_count_0 + slice2cost_pixels_first_2_0_count_2;
+      slice2cost_pixels_cost_2_1 <= slice2cost_pixels_first_2_1_count_6 + slice2cost_pixels_first_2_1_count_4 +
+        slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_1 + slice2cost_pixels_first_2_1_count_5
+        + slice2cost_pixels_first_2_1_count_0 + slice2cost_pixels_first_2_1_count_2;
+      slice2cost_pixels_cost_3_0 <= slice2cost_pixels_first_3_0_count_6 + slice2cost_pixels_first_3_0_count_4 +
+        slice2cost_pixels_first_3_0_count_3 + slice2cost_pixels_first_3_0_count_1 + slice2cost_pixels_first_3_0_count_5
+        + slice2cost_pixels_first_3_0_count_0 + slice2cost_pixels_first_3_0_count_2;
+      slice2cost_pixels_cost_3_1 <= slice2cost_pixels_first_3_1_count_6 + slice2cost_pixels_first_3_1_count_4 +
+        slice2cost_pixels_first_3_1_count_3 + slice2cost_pixels_first_3_1_count_1 + slice2cost_pixels_first_3_1_count_5
+        + slice2cost_pixels_first_3_1_count_0 + slice2cost_pixels_first_3_1_count_2;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_0_0 +
+        slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_0_1 +
+        slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_1_0 +
+        slice2cost_pixels_cost_2_0 + slice2cost_pixels_cost_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_1_1 +
+        slice2cost_pixels_cost_2_1 + slice2cost_pixels_cost_3_1;
+      -- slice2window
+      if slice0winner1_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
+        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
+        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
+        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
+      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
+      -- slice2winner1
+      slice2winner1_best_index_0_0_choice := (not (((slice2window_sum_0_1 / 2) mod 2) = 1)) or (not
+        ((slice2window_sum_0_1 mod 2) = 1)) when (slice2window_sum_0_0 mod 2) = 1 else not (((slice2window_sum_0_1 / 2)
+        mod 2) = 1);
+      slice2winner1_best_index_0_0_choice_2 := slice2winner1_best_index_0_0_choice when ((slice2window_sum_0_0 / 2) mod
+        2) = 1 else ((slice2window_sum_0_0 mod 2) = 1) and ((slice2window_sum_0_1 mod 4) = 0);
+      slice2winner1_best_index_0_0_value := ((slice2window_sum_0_1 / 4) mod 2) = 1;
+      slice2winner1_best_index_0_0_choice_3 := (not (((slice2window_sum_0_0 / 4) mod 2) = 1)) and
+        slice2winner1_best_index_0_0_value when slice2winner1_best_index_0_0_choice_2 else (not (((slice2window_sum_0_0
+        / 4) mod 2) = 1)) or slice2winner1_best_index_0_0_value;
+      slice2winner1_best_index_0_0_value_2 := ((slice2window_sum_0_1 / 8) mod 2) = 1;
+      slice2winner1_best_index_0_0_choice_4 := (not (((slice2window_sum_0_0 / 8) mod 2) = 1)) or
+        slice2winner1_best_index_0_0_value_2 when slice2winner1_best_index_0_0_choice_3 else (not
+        (((slice2window_sum_0_0 / 8) mod 2) = 1)) and slice2winner1_best_index_0_0_value_2;
+      slice2winner1_best_index_0_0_value_3 := ((slice2window_sum_0_1 / 16) mod 2) = 1;
+      slice2winner1_best_index_0_0_choice_5 := (not (((slice2window_sum_0_0 / 16) mod 2) = 1)) or
+        slice2winner1_best_index_0_0_value_3 when slice2winner1_best_index_0_0_choice_4 else (not
+        (((slice2window_sum_0_0 / 16) mod 2) = 1)) and slice2winner1_best_index_0_0_value_3;
+      slice2winner1_best_index_0_0_value_4 := ((slice2window_sum_0_1 / 32) mod 2) = 1;
+      slice2winner1_best_index_0_0_choice_6 := (not (((slice2window_sum_0_0 / 32) mod 2) = 1)) or
+        slice2winner1_best_index_0_0_value_4 when slice2winner1_best_index_0_0_choice_5 else (not
+        (((slice2window_sum_0_0 / 32) mod 2) = 1)) and slice2winner1_best_index_0_0_value_4;
+      slice2winner1_best_index_0_0_value_5 := ((slice2window_sum_0_1 / 64) mod 2) = 1;
+      slice2winner1_best_index_0_0_choice_7 := (not (((slice2window_sum_0_0 / 64) mod 2) = 1)) or
+        slice2winner1_best_index_0_0_value_5 when slice2winner1_best_index_0_0_choice_6 else (not
+        (((slice2window_sum_0_0 / 64) mod 2) = 1)) and slice2winner1_best_index_0_0_value_5;
+      slice2winner1_best_index_1_0_choice := (not (((slice2window_sum_1_1 / 2) mod 2) = 1)) or (not
+        ((slice2window_sum_1_1 mod 2) = 1)) when (slice2window_sum_1_0 mod 2) = 1 else not (((slice2window_sum_1_1 / 2)
+        mod 2) = 1);
+      slice2winner1_best_index_1_0_choice_2 := slice2winner1_best_index_1_0_choice when ((slice2window_sum_1_0 / 2) mod
+        2) = 1 else ((slice2window_sum_1_0 mod 2) = 1) and ((slice2window_sum_1_1 mod 4) = 0);
+      slice2winner1_best_index_1_0_value := ((slice2window_sum_1_1 / 4) mod 2) = 1;
+      slice2winner1_best_index_1_0_choice_3 := (not (((slice2window_sum_1_0 / 4) mod 2) = 1)) and
+        slice2winner1_best_index_1_0_value when slice2winner1_best_index_1_0_choice_2 else (not (((slice2window_sum_1_0
+        / 4) mod 2) = 1)) or slice2winner1_best_index_1_0_value;
+      slice2winner1_best_index_1_0_value_2 := ((slice2window_sum_1_1 / 8) mod 2) = 1;
+      slice2winner1_best_index_1_0_choice_4 := (not (((slice2window_sum_1_0 / 8) mod 2) = 1)) or
+        slice2winner1_best_index_1_0_value_2 when slice2winner1_best_index_1_0_choice_3 else (not
+        (((slice2window_sum_1_0 / 8) mod 2) = 1)) and slice2winner1_best_index_1_0_value_2;
+      slice2winner1_best_index_1_0_value_3 := ((slice2window_sum_1_1 / 16) mod 2) = 1;
+      slice2winner1_best_index_1_0_choice_5 := (not (((slice2window_sum_1_0 / 16) mod 2) = 1)) or
+        slice2winner1_best_index_1_0_value_3 when slice2winner1_best_index_1_0_choice_4 else (not
+        (((slice2window_sum_1_0 / 16) mod 2) = 1)) and slice2winner1_best_index_1_0_value_3;
+      slice2winner1_best_index_1_0_value_4 := ((slice2window_sum_1_1 / 32) mod 2) = 1;
+      slice2winner1_best_index_1_0_choice_6 := (not (((slice2window_sum_1_0 / 32) mod 2) = 1)) or
+        slice2winner1_best_index_1_0_value_4 when slice2winner1_best_index_1_0_choice_5 else (not
+        (((slice2window_sum_1_0 / 32) mod 2) = 1)) and slice2winner1_best_index_1_0_value_4;
+      slice2winner1_best_index_1_0_value_5 := ((slice2window_sum_1_1 / 64) mod 2) = 1;
+      slice2winner1_best_index_1_0_choice_7 := (not (((slice2window_sum_1_0 / 64) mod 2) = 1)) or
+        slice2winner1_best_index_1_0_value_5 when slice2winner1_best_index_1_0_choice_6 else (not
+        (((slice2window_sum_1_0 / 64) mod 2) = 1)) and slice2winner1_best_index_1_0_value_5;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2window_sum_0_1 < slice2window_sum_0_0 else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2window_sum_1_1 < slice2window_sum_1_0 else
+        slice2window_sum_1_0;
+      slice2winner1_best_index_0_0 <= ((slice2window_sum_0_0 / 128) = 1) and (not ((slice2window_sum_0_1 / 128) = 1))
+        when slice2winner1_best_index_0_0_choice_7 else ((slice2window_sum_0_0 / 128) = 1) or (not
+        ((slice2window_sum_0_1 / 128) = 1));
+      slice2winner1_best_index_1_0 <= ((slice2window_sum_1_0 / 128) = 1) and (not ((slice2window_sum_1_1 / 128) = 1))
+        when slice2winner1_best_index_1_0_choice_7 else ((slice2window_sum_1_0 / 128) = 1) or (not
+        ((slice2window_sum_1_1 / 128) = 1));
+      -- slice2winner2
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2
+      slice2_best_index_0_0_choice := (not (((slice1_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice1_best_cost_0_0 mod
+        2) = 1)) when (slice2winner2_best_cost_0_0 mod 2) = 1 else not (((slice1_best_cost_0_0 / 2) mod 2) = 1);
+      slice2_best_index_0_0_choice_2 := slice2_best_index_0_0_choice when ((slice2winner2_best_cost_0_0 / 2) mod 2) = 1
+        else ((slice2winner2_best_cost_0_0 mod 2) = 1) and ((slice1_best_cost_0_0 mod 4) = 0);
+      slice2_best_index_0_0_value := ((slice1_best_cost_0_0 / 4) mod 2) = 1;
+      slice2_best_index_0_0_choice_3 := (not (((slice2winner2_best_cost_0_0 / 4) mod 2) = 1)) and
+        slice2_best_index_0_0_value when slice2_best_index_0_0_choice_2 else (not (((slice2winner2_best_cost_0_0 / 4)
+        mod 2) = 1)) or slice2_best_index_0_0_value;
+      slice2_best_index_0_0_value_2 := ((slice1_best_cost_0_0 / 8) mod 2) = 1;
+      slice2_best_index_0_0_choice_4 := (not (((slice2winner2_best_cost_0_0 / 8) mod 2) = 1)) or
+        slice2_best_index_0_0_value_2 when slice2_best_index_0_0_choice_3 else (not (((slice2winner2_best_cost_0_0 / 8)
+        mod 2) = 1)) and slice2_best_index_0_0_value_2;
+      slice2_best_index_0_0_value_3 := ((slice1_best_cost_0_0 / 16) mod 2) = 1;
+      slice2_best_index_0_0_choice_5 := (not (((slice2winner2_best_cost_0_0 / 16) mod 2) = 1)) or
+        slice2_best_index_0_0_value_3 when slice2_best_index_0_0_choice_4 else (not (((slice2winner2_best_cost_0_0 /
+        16) mod 2) = 1)) and slice2_best_index_0_0_value_3;
+      slice2_best_index_0_0_value_4 := ((slice1_best_cost_0_0 / 32) mod 2) = 1;
+      slice2_best_index_0_0_choice_6 := (not (((slice2winner2_best_cost_0_0 / 32) mod 2) = 1)) or
+        slice2_best_index_0_0_value_4 when slice2_best_index_0_0_choice_5 else (not (((slice2winner2_best_cost_0_0 /
+        32) mod 2) = 1)) and slice2_best_index_0_0_value_4;
+      slice2_best_index_0_0_value_5 := ((slice1_best_cost_0_0 / 64) mod 2) = 1;
+      slice2_best_index_0_0_choice_7 := (not (((slice2winner2_best_cost_0_0 / 64) mod 2) = 1)) or
+        slice2_best_index_0_0_value_5 when slice2_best_index_0_0_choice_6 else (not (((slice2winner2_best_cost_0_0 /
+        64) mod 2) = 1)) and slice2_best_index_0_0_value_5;
+      slice2_best_index_0_0_choice_8 := ((slice2winner2_best_cost_0_0 / 128) = 1) and (not ((slice1_best_cost_0_0 /
+        128) = 1)) when slice2_best_index_0_0_choice_7 else ((slice2winner2_best_cost_0_0 / 128) = 1) or (not
+        ((slice1_best_cost_0_0 / 128) = 1));
+      slice2_best_index_1_0_choice := (not (((slice1_best_cost_1_0 / 2) mod 2) = 1)) or (not ((slice1_best_cost_1_0 mod
+        2) = 1)) when (slice2winner2_best_cost_1_0 mod 2) = 1 else not (((slice1_best_cost_1_0 / 2) mod 2) = 1);
+      slice2_best_index_1_0_choice_2 := slice2_best_index_1_0_choice when ((slice2winner2_best_cost_1_0 / 2) mod 2) = 1
+        else ((slice2winner2_best_cost_1_0 mod 2) = 1) and ((slice1_best_cost_1_0 mod 4) = 0);
+      slice2_best_index_1_0_value := ((slice1_best_cost_1_0 / 4) mod 2) = 1;
+      slice2_best_index_1_0_choice_3 := (not (((slice2winner2_best_cost_1_0 / 4) mod 2) = 1)) and
+        slice2_best_index_1_0_value when slice2_best_index_1_0_choice_2 else (not (((slice2winner2_best_cost_1_0 / 4)
+        mod 2) = 1)) or slice2_best_index_1_0_value;
+      slice2_best_index_1_0_value_2 := ((slice1_best_cost_1_0 / 8) mod 2) = 1;
+      slice2_best_index_1_0_choice_4 := (not (((slice2winner2_best_cost_1_0 / 8) mod 2) = 1)) or
+        slice2_best_index_1_0_value_2 when slice2_best_index_1_0_choice_3 else (not (((slice2winner2_best_cost_1_0 / 8)
+        mod 2) = 1)) and slice2_best_index_1_0_value_2;
+      slice2_best_index_1_0_value_3 := ((slice1_best_cost_1_0 / 16) mod 2) = 1;
+      slice2_best_index_1_0_choice_5 := (not (((slice2winner2_best_cost_1_0 / 16) mod 2) = 1)) or
+        slice2_best_index_1_0_value_3 when slice2_best_index_1_0_choice_4 else (not (((slice2winner2_best_cost_1_0 /
+        16) mod 2) = 1)) and slice2_best_index_1_0_value_3;
+      slice2_best_index_1_0_value_4 := ((slice1_best_cost_1_0 / 32) mod 2) = 1;
+      slice2_best_index_1_0_choice_6 := (not (((slice2winner2_best_cost_1_0 / 32) mod 2) = 1)) or
+        slice2_best_index_1_0_value_4 when slice2_best_index_1_0_choice_5 else (not (((slice2winner2_best_cost_1_0 /
+        32) mod 2) = 1)) and slice2_best_index_1_0_value_4;
+      slice2_best_index_1_0_value_5 := ((slice1_best_cost_1_0 / 64) mod 2) = 1;
+      slice2_best_index_1_0_choice_7 := (not (((slice2winner2_best_cost_1_0 / 64) mod 2) = 1)) or
+        slice2_best_index_1_0_value_5 when slice2_best_index_1_0_choice_6 else (not (((slice2winner2_best_cost_1_0 /
+        64) mod 2) = 1)) and slice2_best_index_1_0_value_5;
+      slice2_best_index_1_0_choice_8 := ((slice2winner2_best_cost_1_0 / 128) = 1) and (not ((slice1_best_cost_1_0 /
+        128) = 1)) when slice2_best_index_1_0_choice_7 else ((slice2winner2_best_cost_1_0 / 128) = 1) or (not
+        ((slice1_best_cost_1_0 / 128) = 1));
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_choice_8 else
+        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_index_1_0_choice_8 else
+        as_number(slice2winner2_best_index_1_0);
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if reset = '1' then
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 7;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_read_start_of_frame <= false;
+        transform_read_valid <= false;
+        transform_ready_column <= 0;
+        transform_ready_start_of_frame <= false;
+        transform_ready_valid <= false;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_start_of_frame <= false;
+        transform_filtering_valid <= false;
+        transform_filtered_start_of_frame <= false;
+        transform_filtered_valid <= false;
+        raster_features_start_of_frame <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 7;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;

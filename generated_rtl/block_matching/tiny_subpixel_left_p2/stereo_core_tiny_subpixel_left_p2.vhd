@@ -1,0 +1,1328 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration tiny_subpixel_left_p2: 32x12, 8 disparities, window 3x3, 2 pixel pairs a clock.
+-- Options: disparities 8, reference left, subpixel true, slice_disparities 3.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_subpixel_left_p2
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_subpixel_left_p2 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 32;
+    height_px : positive := 12;
+    disparities : positive := 8;
+    pixels_per_clock : positive := 2;
+    disparity_bits : positive := 16;
+    output_width_px : positive := 24;
+    latency_clocks : positive := 26;
+    flush_groups : positive := 33;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(15 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(15 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(31 downto 0);
+    pixel_valid : out std_logic_vector(1 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 32 report "stereo_core_tiny_subpixel_left_p2: width_px is " & integer'image(width_px) & " but this core has 32" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_subpixel_left_p2: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 8 report "stereo_core_tiny_subpixel_left_p2: disparities is " & integer'image(disparities) & " but this core has 8" severity failure;
+  assert pixels_per_clock = 2 report "stereo_core_tiny_subpixel_left_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
+  assert disparity_bits = 16 report "stereo_core_tiny_subpixel_left_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
+  assert output_width_px = 24 report "stereo_core_tiny_subpixel_left_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
+  assert latency_clocks = 26 report "stereo_core_tiny_subpixel_left_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
+  assert flush_groups = 33 report "stereo_core_tiny_subpixel_left_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 33" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_subpixel_left_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_subpixel_left_p2 is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 65535;
+  signal in_left_pixel : natural range 0 to 65535;
+  -- raster
+  signal raster_features_search : natural range 0 to 65535;
+  signal raster_features_reference_0, raster_features_reference_1 : natural range 0 to 255;
+  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 31;
+  signal raster_place_group : natural range 0 to 7;
+  -- delay
+  signal delay_ahead_0, delay_ahead_1 : natural range 0 to 255;
+  signal delay_delayed_0 : natural range 0 to 65535;
+  signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_3, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest_0, rows_search_rows_ready_newest_1 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_read_newest_1 : natural range 0 to 255;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_ready_newest_1, rows_search_0 : natural range 0 to 255;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_reference_0, rows_reference_1 : natural range 0 to 255;
+  signal rows_reference_2, rows_reference_3 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_3, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_3 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 255;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_reference_3, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 255;
+  signal slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
+  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
+  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
+  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
+  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
+  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 767;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 1534;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
+  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice0winner1_best_below_0_0, slice0winner1_best_below_1_0 : natural range 0 to 2301;
+  signal slice0winner1_best_above_0_0, slice0winner1_best_above_1_0 : natural range 0 to 2301;
+  signal slice0winner1_best_last_0_0, slice0winner1_best_last_1_0 : natural range 0 to 2301;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0winner2_best_below_0_0, slice0winner2_best_below_1_0 : natural range 0 to 2301;
+  signal slice0winner2_best_above_0_0, slice0winner2_best_above_1_0 : natural range 0 to 2301;
+  signal slice0winner2_best_last_0_0, slice0winner2_best_last_1_0 : natural range 0 to 2301;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_below_0_0 : natural range 0 to 2301;
+  signal slice0_best_below_1_0, slice0_best_above_0_0, slice0_best_above_1_0 : natural range 0 to 2301;
+  signal slice0_best_last_0_0, slice0_best_last_1_0 : natural range 0 to 2301;
+  signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 2;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 255;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 255;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
+  signal slice1shift_reference_3, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 255;
+  signal slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
+  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
+  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
+  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
+  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
+  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
+  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 767;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 1534;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
+  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
+  signal slice1winner1_best_below_0_0, slice1winner1_best_below_1_0 : natural range 0 to 2301;
+  signal slice1winner1_best_above_0_0, slice1winner1_best_above_1_0 : natural range 0 to 2301;
+  signal slice1winner1_best_first_0_0, slice1winner1_best_first_1_0 : natural range 0 to 2301;
+  signal slice1winner1_best_last_0_0, slice1winner1_best_last_1_0 : natural range 0 to 2301;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_below_0_0, slice1winner2_best_below_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_above_0_0, slice1winner2_best_above_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_first_0_0, slice1winner2_best_first_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_last_0_0, slice1winner2_best_last_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_below_0_0 : natural range 0 to 2301;
+  signal slice1_best_below_1_0, slice1_best_above_0_0, slice1_best_above_1_0 : natural range 0 to 2301;
+  signal slice1_best_last_0_0, slice1_best_last_1_0 : natural range 0 to 2301;
+  signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 5;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
+  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_reference_0 : natural range 0 to 255;
+  signal slice2shift_reference_1, slice2shift_reference_2, slice2shift_reference_3 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
+  signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
+  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
+  signal slice2cost_single_0_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
+  signal slice2cost_column_1_1 : natural range 0 to 767;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 767;
+  signal slice2window_partial_1_0_1 : natural range 0 to 767;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_1_1_0 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_1 : natural range 0 to 1534;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 2301;
+  signal slice2window_sum_1_1 : natural range 0 to 2301;
+  -- slice2winner1
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner1_best_below_0_0, slice2winner1_best_below_1_0 : natural range 0 to 2301;
+  signal slice2winner1_best_above_0_0, slice2winner1_best_above_1_0 : natural range 0 to 2301;
+  signal slice2winner1_best_first_0_0, slice2winner1_best_first_1_0 : natural range 0 to 2301;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner2_best_below_0_0, slice2winner2_best_below_1_0 : natural range 0 to 2301;
+  signal slice2winner2_best_above_0_0, slice2winner2_best_above_1_0 : natural range 0 to 2301;
+  signal slice2winner2_best_first_0_0, slice2winner2_best_first_1_0 : natural range 0 to 2301;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2
+  signal slice2_best_cost_0_0, slice2_best_cost_1_0, slice2_best_below_0_0 : natural range 0 to 2301;
+  signal slice2_best_below_1_0, slice2_best_above_0_0, slice2_best_above_1_0 : natural range 0 to 2301;
+  signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
+  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
+  -- refinement
+  signal refinement_disparity_0_0, refinement_disparity_0_1, refinement_disparity_1_0 : natural range 0 to 7;
+  signal refinement_disparity_1_1, refinement_disparity_2_0, refinement_disparity_2_1 : natural range 0 to 7;
+  signal refinement_disparity_3_0, refinement_disparity_3_1, refinement_disparity_4_0 : natural range 0 to 7;
+  signal refinement_disparity_4_1, refinement_disparity_5_0, refinement_disparity_5_1 : natural range 0 to 7;
+  signal refinement_disparity_6_0, refinement_disparity_6_1, refinement_disparity_7_0 : natural range 0 to 7;
+  signal refinement_disparity_7_1, refinement_disparity_8_0, refinement_disparity_8_1 : natural range 0 to 7;
+  signal refinement_disparity_9_0, refinement_disparity_9_1, refinement_quotient_3_0 : natural range 0 to 7;
+  signal refinement_quotient_3_1 : natural range 0 to 7;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
+  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
+  signal refinement_tag_1_output_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
+  signal refinement_tag_2_valid, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
+  signal refinement_tag_2_end_of_line, refinement_tag_3_valid, refinement_tag_3_output_column : boolean;
+  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
+  signal refinement_tag_4_output_column, refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line : boolean;
+  signal refinement_tag_5_valid, refinement_tag_5_output_column, refinement_tag_5_start_of_frame : boolean;
+  signal refinement_tag_5_end_of_line, refinement_tag_6_valid, refinement_tag_6_output_column : boolean;
+  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
+  signal refinement_tag_7_output_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
+  signal refinement_tag_8_valid, refinement_tag_8_output_column, refinement_tag_8_start_of_frame : boolean;
+  signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_output_column : boolean;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_quotient_1_1 : boolean;
+  signal refinement_negative_0_0, refinement_negative_0_1, refinement_negative_1_0, refinement_negative_1_1 : boolean;
+  signal refinement_negative_2_0, refinement_negative_2_1, refinement_negative_3_0, refinement_negative_3_1 : boolean;
+  signal refinement_negative_4_0, refinement_negative_4_1, refinement_negative_5_0, refinement_negative_5_1 : boolean;
+  signal refinement_negative_6_0, refinement_negative_6_1, refinement_negative_7_0, refinement_negative_7_1 : boolean;
+  signal refinement_negative_8_0, refinement_negative_8_1 : boolean;
+  signal refinement_remainder_0_0, refinement_remainder_0_1, refinement_remainder_1_0 : natural range 0 to 4095;
+  signal refinement_remainder_1_1, refinement_remainder_2_0, refinement_remainder_2_1 : natural range 0 to 4095;
+  signal refinement_remainder_3_0, refinement_remainder_3_1, refinement_remainder_4_0 : natural range 0 to 4095;
+  signal refinement_remainder_4_1, refinement_remainder_5_0, refinement_remainder_5_1 : natural range 0 to 4095;
+  signal refinement_remainder_6_0, refinement_remainder_6_1, refinement_remainder_7_0 : natural range 0 to 4095;
+  signal refinement_remainder_7_1, refinement_divisor_0_0, refinement_divisor_0_1 : natural range 0 to 4095;
+  signal refinement_divisor_1_0, refinement_divisor_1_1, refinement_divisor_2_0 : natural range 0 to 4095;
+  signal refinement_divisor_2_1, refinement_divisor_3_0, refinement_divisor_3_1 : natural range 0 to 4095;
+  signal refinement_divisor_4_0, refinement_divisor_4_1, refinement_divisor_5_0 : natural range 0 to 4095;
+  signal refinement_divisor_5_1, refinement_divisor_6_0, refinement_divisor_6_1 : natural range 0 to 4095;
+  signal refinement_divisor_7_0, refinement_divisor_7_1 : natural range 0 to 4095;
+  signal refinement_quotient_2_0, refinement_quotient_2_1 : natural range 0 to 3;
+  signal refinement_quotient_4_0, refinement_quotient_4_1 : natural range 0 to 15;
+  signal refinement_quotient_5_0, refinement_quotient_5_1 : natural range 0 to 31;
+  signal refinement_quotient_6_0, refinement_quotient_6_1 : natural range 0 to 63;
+  signal refinement_quotient_7_0, refinement_quotient_7_1 : natural range 0 to 127;
+  signal refinement_quotient_8_0, refinement_quotient_8_1, refinement_fraction_0 : natural range 0 to 255;
+  signal refinement_fraction_1 : natural range 0 to 255;
+  -- map
+  signal map_out_disparity_0, map_out_disparity_1 : natural range 0 to 65535;
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_1, 16) & to_unsigned(map_out_disparity_0, 16));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1) & to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable raster_features_start_of_frame_is_not_less, raster_place_group_is_equal, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_2, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
+    variable delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less : boolean;
+    variable refinement_remainder_0_0_is_less, refinement_remainder_0_1_is_less : boolean;
+    variable refinement_remainder_1_1_is_not_less, refinement_remainder_2_0_is_not_less : boolean;
+    variable refinement_remainder_2_1_is_not_less, refinement_remainder_3_0_is_not_less : boolean;
+    variable refinement_remainder_3_1_is_not_less, refinement_remainder_4_0_is_not_less : boolean;
+    variable refinement_remainder_4_1_is_not_less, refinement_remainder_5_0_is_not_less : boolean;
+    variable refinement_remainder_5_1_is_not_less, refinement_remainder_6_0_is_not_less : boolean;
+    variable refinement_remainder_6_1_is_not_less, refinement_remainder_7_0_is_not_less : boolean;
+    variable refinement_remainder_7_1_is_not_less : boolean;
+    variable raster_place_group_choice : natural range 0 to 3;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
+    variable refinement_fraction_0_choice_2, refinement_fraction_1_choice_2 : natural range 0 to 7;
+    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice, refinement_fraction_1_choice : natural range 0 to 255;
+    variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_1_0_choice : natural range 0 to 2301;
+    variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_1_0_choice : natural range 0 to 2301;
+    variable slice1_best_below_0_0_choice, slice1_best_below_1_0_choice : natural range 0 to 2301;
+    variable slice1_best_above_0_0_choice, slice1_best_above_1_0_choice : natural range 0 to 2301;
+    variable slice2_best_below_0_0_choice, slice2_best_below_1_0_choice : natural range 0 to 2301;
+    variable slice2_best_above_0_0_choice, slice2_best_above_1_0_choice : natural range 0 to 2301;
+    variable refinement_remainder_0_0_choice, refinement_remainder_0_0_choice_2 : natural range 0 to 2301;
+    variable refinement_remainder_0_1_choice, refinement_remainder_0_1_choice_2 : natural range 0 to 2301;
+    variable refinement_remainder_0_0_value, refinement_remainder_0_0_value_2 : natural range 0 to 4095;
+    variable refinement_remainder_0_0_choice_3, refinement_remainder_0_0_choice_4 : natural range 0 to 4095;
+    variable refinement_remainder_0_1_value, refinement_remainder_0_1_value_2 : natural range 0 to 4095;
+    variable refinement_remainder_0_1_choice_3, refinement_remainder_0_1_choice_4 : natural range 0 to 4095;
+    variable refinement_remainder_1_0_choice, refinement_remainder_1_1_choice : natural range 0 to 4095;
+    variable refinement_remainder_2_0_choice, refinement_remainder_2_1_choice : natural range 0 to 4095;
+    variable refinement_remainder_3_0_choice, refinement_remainder_3_1_choice : natural range 0 to 4095;
+    variable refinement_remainder_4_0_choice, refinement_remainder_4_1_choice : natural range 0 to 4095;
+    variable refinement_remainder_5_0_choice, refinement_remainder_5_1_choice : natural range 0 to 4095;
+    variable refinement_remainder_6_0_choice, refinement_remainder_6_1_choice : natural range 0 to 4095;
+    variable refinement_remainder_7_0_choice, refinement_remainder_7_1_choice : natural range 0 to 4095;
+    variable refinement_fraction_0_difference, refinement_fraction_1_difference : integer range -15 to 0;
+    variable refinement_fraction_0_value, refinement_fraction_1_value : natural range 0 to 16;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_features_start_of_frame_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
+      raster_place_group_is_equal := raster_place_column = 31;
+      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
+      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
+        raster_place_group_is_equal_2 else in_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
+        (raster_place_group + 1) mod 8;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
+        raster_place_group_choice_2 else raster_place_group;
+      raster_features_search <= in_right_pixel;
+      raster_features_reference_0 <= in_left_pixel mod 256;
+      raster_features_reference_1 <= in_left_pixel / 256;
+      raster_features_start_of_frame <= raster_features_start_of_frame_is_not_less;
+      raster_features_valid <= in_valid;
+      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
+        raster_place_group_choice_4;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
+          mod 32;
+        raster_place_next_frame <= raster_place_group_all when in_start_of_frame else raster_place_next_frame_choice_2;
+      end if;
+      -- delay
+      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
+      delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
+      delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_ahead_1 <= raster_features_reference_1;
+      delay_delayed_0 <= raster_features_search;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_any;
+      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
+      delay_row_inside_3 <= delay_row_inside_1_any;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
+        (raster_place_column / 8) = 0;
+      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and ((((((raster_place_column / 8) +
+        8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
+      delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_group_is_equal;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_delayed_0 mod 256;
+      rows_search_rows_read_newest_1 <= delay_delayed_0 / 256;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_search_rows_ready_newest_1 <= rows_search_rows_read_newest_1;
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_read_newest_1 <= delay_ahead_1;
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_reference_rows_ready_newest_1 <= rows_reference_rows_read_newest_1;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
+      rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
+      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
+          256) + (rows_search_rows_ready_newest_1 * 65536);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 65536) +
+          (rows_reference_rows_ready_newest_0 * 256) + (rows_reference_rows_ready_newest_1 * 65536);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+        slice0shift_search_3_0 <= rows_search_3;
+        slice0shift_search_3_1 <= slice0shift_search_3_0;
+        slice0shift_search_3_2 <= slice0shift_search_3_1;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_search_out_0 <= slice0shift_search_0_2;
+      slice0shift_search_out_1 <= slice0shift_search_1_2;
+      slice0shift_search_out_2 <= slice0shift_search_2_2;
+      slice0shift_search_out_3 <= slice0shift_search_3_2;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
+        positive_part(slice0cost_difference_2_0);
+      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
+        positive_part(slice0cost_difference_2_1);
+      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
+        positive_part(slice0cost_difference_2_2);
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
+      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
+      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
+      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
+      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
+      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
+      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
+      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
+      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
+        slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
+        slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
+        slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
+        slice0cost_pair_0_0 + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
+        slice0cost_pair_0_1 + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
+        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
+        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
+        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
+        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
+        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
+        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
+      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
+      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
+      slice0winner1_best_below_1_0 <= slice0window_sum_1_0 when slice0winner1_best_cost_1_0_is_less else 0;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
+      slice0winner1_best_above_1_0 <= 0 when slice0winner1_best_cost_1_0_is_less else slice0window_sum_1_1;
+      slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
+      slice0winner1_best_last_1_0 <= slice0window_sum_1_1;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
+      slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1 when slice0winner1_best_index_0_0 else
+        slice0winner1_best_above_0_0;
+      slice0winner2_best_above_1_0_choice := slice0winner1_best_cost_1_1 when slice0winner1_best_index_1_0 else
+        slice0winner1_best_above_1_0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_best_below_0_0 <= slice0winner1_best_last_0_0 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_below_0_0;
+      slice0winner2_best_below_1_0 <= slice0winner1_best_last_1_0 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_below_1_0;
+      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner2_best_above_0_0_choice;
+      slice0winner2_best_above_1_0 <= 0 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner2_best_above_1_0_choice;
+      slice0winner2_best_last_0_0 <= slice0winner1_best_cost_0_1;
+      slice0winner2_best_last_1_0 <= slice0winner1_best_cost_1_1;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
+      slice0_best_index_1_0 <= slice0winner2_best_index_1_0;
+      slice0_best_below_0_0 <= slice0winner2_best_below_0_0;
+      slice0_best_below_1_0 <= slice0winner2_best_below_1_0;
+      slice0_best_above_0_0 <= slice0winner2_best_above_0_0;
+      slice0_best_above_1_0 <= slice0winner2_best_above_1_0;
+      slice0_best_last_0_0 <= slice0winner2_best_last_0_0;
+      slice0_best_last_1_0 <= slice0winner2_best_last_1_0;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+        slice1shift_search_3_0 <= slice0shift_search_out_3;
+        slice1shift_search_3_1 <= slice1shift_search_3_0;
+        slice1shift_search_3_2 <= slice1shift_search_3_1;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_search_out_0 <= slice1shift_search_0_2;
+      slice1shift_search_out_1 <= slice1shift_search_1_2;
+      slice1shift_search_out_2 <= slice1shift_search_2_2;
+      slice1shift_search_out_3 <= slice1shift_search_3_2;
+      -- slice1cost
+      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
+        positive_part(slice1cost_difference_2_0);
+      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
+        positive_part(slice1cost_difference_2_1);
+      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
+        positive_part(slice1cost_difference_2_2);
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
+      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
+      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
+      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
+      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
+      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
+      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
+      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
+      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
+      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
+        slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
+        slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
+        slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
+        slice1cost_pair_0_0 + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
+        slice1cost_pair_0_1 + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
+        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
+        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
+        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
+        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
+        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
+        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
+      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
+      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
+      slice1winner1_best_below_1_0 <= slice1window_sum_1_0 when slice1winner1_best_cost_1_0_is_less else 0;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
+      slice1winner1_best_above_1_0 <= 0 when slice1winner1_best_cost_1_0_is_less else slice1window_sum_1_1;
+      slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
+      slice1winner1_best_first_1_0 <= slice1window_sum_1_0;
+      slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
+      slice1winner1_best_last_1_0 <= slice1window_sum_1_1;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
+      slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1 when slice1winner1_best_index_0_0 else
+        slice1winner1_best_above_0_0;
+      slice1winner2_best_above_1_0_choice := slice1winner1_best_cost_1_1 when slice1winner1_best_index_1_0 else
+        slice1winner1_best_above_1_0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_below_0_0 <= slice1winner1_best_last_0_0 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_below_0_0;
+      slice1winner2_best_below_1_0 <= slice1winner1_best_last_1_0 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_below_1_0;
+      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner2_best_above_0_0_choice;
+      slice1winner2_best_above_1_0 <= 0 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner2_best_above_1_0_choice;
+      slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
+      slice1winner2_best_first_1_0 <= slice1winner1_best_first_1_0;
+      slice1winner2_best_last_0_0 <= slice1winner1_best_cost_0_1;
+      slice1winner2_best_last_1_0 <= slice1winner1_best_cost_1_1;
+      -- slice1
+      slice1_best_cost_0_0_is_less := slice1winner2_best_cost_0_0 < slice0_best_cost_0_0;
+      slice1_best_cost_1_0_is_less := slice1winner2_best_cost_1_0 < slice0_best_cost_1_0;
+      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner2_best_index_0_0 = 0 else
+        slice1winner2_best_below_0_0;
+      slice1_best_below_1_0_choice := slice0_best_last_1_0 when slice1winner2_best_index_1_0 = 0 else
+        slice1winner2_best_below_1_0;
+      slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice0_best_index_0_0 = 2 else
+        slice0_best_above_0_0;
+      slice1_best_above_1_0_choice := slice1winner2_best_first_1_0 when slice0_best_index_1_0 = 2 else
+        slice0_best_above_1_0;
+      slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice0_best_cost_1_0;
+      slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
+        slice0_best_index_0_0;
+      slice1_best_index_1_0 <= slice1winner2_best_index_1_0 + 3 when slice1_best_cost_1_0_is_less else
+        slice0_best_index_1_0;
+      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
+        slice0_best_below_0_0;
+      slice1_best_below_1_0 <= slice1_best_below_1_0_choice when slice1_best_cost_1_0_is_less else
+        slice0_best_below_1_0;
+      slice1_best_above_0_0 <= slice1winner2_best_above_0_0 when slice1_best_cost_0_0_is_less else
+        slice1_best_above_0_0_choice;
+      slice1_best_above_1_0 <= slice1winner2_best_above_1_0 when slice1_best_cost_1_0_is_less else
+        slice1_best_above_1_0_choice;
+      slice1_best_last_0_0 <= slice1winner2_best_last_0_0;
+      slice1_best_last_1_0 <= slice1winner2_best_last_1_0;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+        slice2shift_search_1_0 <= slice1shift_search_out_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_0;
+        slice2shift_search_2_0 <= slice1shift_search_out_2;
+        slice2shift_search_2_1 <= slice2shift_search_2_0;
+        slice2shift_search_3_0 <= slice1shift_search_out_3;
+        slice2shift_search_3_1 <= slice2shift_search_3_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference_3 <= slice1shift_reference_3;
+      -- slice2cost
+      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
+        positive_part(slice2cost_difference_2_0);
+      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
+        positive_part(slice2cost_difference_2_1);
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
+      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
+      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
+        as_number((slice2cost_difference_1_0 < 0));
+      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
+        as_number((slice2cost_difference_1_1 < 0));
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
+      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
+      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
+      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
+        slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
+        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
+        slice2cost_pair_0_0 + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
+        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      -- slice2window
+      if slice0winner1_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
+        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
+        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
+        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
+      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
+      -- slice2winner1
+      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
+        slice2window_sum_1_0;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
+      slice2winner1_best_below_1_0 <= slice2window_sum_1_0 when slice2winner1_best_cost_1_0_is_less else 0;
+      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
+      slice2winner1_best_above_1_0 <= 0 when slice2winner1_best_cost_1_0_is_less else slice2window_sum_1_1;
+      slice2winner1_best_first_0_0 <= slice2window_sum_0_0;
+      slice2winner1_best_first_1_0 <= slice2window_sum_1_0;
+      -- slice2winner2
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
+      slice2winner2_best_below_1_0 <= slice2winner1_best_below_1_0;
+      slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_0;
+      slice2winner2_best_above_1_0 <= slice2winner1_best_above_1_0;
+      slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
+      slice2winner2_best_first_1_0 <= slice2winner1_best_first_1_0;
+      -- slice2
+      slice2_best_cost_0_0_is_less := slice2winner2_best_cost_0_0 < slice1_best_cost_0_0;
+      slice2_best_cost_1_0_is_less := slice2winner2_best_cost_1_0 < slice1_best_cost_1_0;
+      slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
+        slice1_best_last_0_0;
+      slice2_best_below_1_0_choice := slice2winner2_best_below_1_0 when slice2winner2_best_index_1_0 else
+        slice1_best_last_1_0;
+      slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice1_best_index_0_0 = 5 else
+        slice1_best_above_0_0;
+      slice2_best_above_1_0_choice := slice2winner2_best_first_1_0 when slice1_best_index_1_0 = 5 else
+        slice1_best_above_1_0;
+      slice2_best_cost_0_0 <= slice2winner2_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
+      slice2_best_cost_1_0 <= slice2winner2_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice1_best_cost_1_0;
+      slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
+        slice1_best_index_0_0;
+      slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0) + 6 when slice2_best_cost_1_0_is_less else
+        slice1_best_index_1_0;
+      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
+        slice1_best_below_0_0;
+      slice2_best_below_1_0 <= slice2_best_below_1_0_choice when slice2_best_cost_1_0_is_less else
+        slice1_best_below_1_0;
+      slice2_best_above_0_0 <= slice2winner2_best_above_0_0 when slice2_best_cost_0_0_is_less else
+        slice2_best_above_0_0_choice;
+      slice2_best_above_1_0 <= slice2winner2_best_above_1_0 when slice2_best_cost_1_0_is_less else
+        slice2_best_above_1_0_choice;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      -- refinement
+      refinement_remainder_0_0_choice := slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else
+        slice2_best_below_0_0;
+      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice2_best_cost_0_0) mod 4096;
+      refinement_remainder_0_0_choice_2 := slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else
+        slice2_best_above_0_0;
+      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice2_best_cost_0_0) mod 4096;
+      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
+      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
+        refinement_remainder_0_0_value;
+      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
+        refinement_remainder_0_0_value_2;
+      refinement_remainder_0_1_choice := slice2_best_above_1_0 when slice2_best_index_1_0 = 0 else
+        slice2_best_below_1_0;
+      refinement_remainder_0_1_value := (refinement_remainder_0_1_choice - slice2_best_cost_1_0) mod 4096;
+      refinement_remainder_0_1_choice_2 := slice2_best_below_1_0 when slice2_best_index_1_0 = 7 else
+        slice2_best_above_1_0;
+      refinement_remainder_0_1_value_2 := (refinement_remainder_0_1_choice_2 - slice2_best_cost_1_0) mod 4096;
+      refinement_remainder_0_1_is_less := refinement_remainder_0_1_value < refinement_remainder_0_1_value_2;
+      refinement_remainder_0_1_choice_3 := refinement_remainder_0_1_value_2 when refinement_remainder_0_1_is_less else
+        refinement_remainder_0_1_value;
+      refinement_remainder_0_1_choice_4 := refinement_remainder_0_1_value when refinement_remainder_0_1_is_less else
+        refinement_remainder_0_1_value_2;
+      refinement_remainder_1_0_choice := refinement_divisor_0_0 when raster_features_start_of_frame_is_not_less else 0;
+      refinement_remainder_1_1_is_not_less := refinement_remainder_0_1 >= refinement_divisor_0_1;
+      refinement_remainder_1_1_choice := refinement_divisor_0_1 when refinement_remainder_1_1_is_not_less else 0;
+      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
+      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
+      refinement_remainder_2_1_is_not_less := (refinement_remainder_1_1 * 2) >= refinement_divisor_1_1;
+      refinement_remainder_2_1_choice := refinement_divisor_1_1 when refinement_remainder_2_1_is_not_less else 0;
+      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
+      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
+      refinement_remainder_3_1_is_not_less := (refinement_remainder_2_1 * 2) >= refinement_divisor_2_1;
+      refinement_remainder_3_1_choice := refinement_divisor_2_1 when refinement_remainder_3_1_is_not_less else 0;
+      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
+      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
+      refinement_remainder_4_1_is_not_less := (refinement_remainder_3_1 * 2) >= refinement_divisor_3_1;
+      refinement_remainder_4_1_choice := refinement_divisor_3_1 when refinement_remainder_4_1_is_not_less else 0;
+      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
+      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
+      refinement_remainder_5_1_is_not_less := (refinement_remainder_4_1 * 2) >= refinement_divisor_4_1;
+      refinement_remainder_5_1_choice := refinement_divisor_4_1 when refinement_remainder_5_1_is_not_less else 0;
+      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
+      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
+      refinement_remainder_6_1_is_not_less := (refinement_remainder_5_1 * 2) >= refinement_divisor_5_1;
+      refinement_remainder_6_1_choice := refinement_divisor_5_1 when refinement_remainder_6_1_is_not_less else 0;
+      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
+      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
+      refinement_remainder_7_1_is_not_less := (refinement_remainder_6_1 * 2) >= refinement_divisor_6_1;
+      refinement_remainder_7_1_choice := refinement_divisor_6_1 when refinement_remainder_7_1_is_not_less else 0;
+      refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
+      refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
+      refinement_fraction_1_difference := 0 - (refinement_quotient_8_1 / 16);
+      refinement_fraction_1_value := (refinement_quotient_8_1 + 15) / 16;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice := refinement_fraction_1_difference mod 256;
+      else
+        refinement_fraction_1_choice := refinement_fraction_1_value;
+      end if;
+      if refinement_negative_8_1 then
+        refinement_fraction_1_choice_2 := refinement_fraction_1_difference mod 8;
+      else
+        refinement_fraction_1_choice_2 := refinement_fraction_1_value mod 8;
+      end if;
+      refinement_disparity_0_0 <= slice2_best_index_0_0;
+      refinement_disparity_0_1 <= slice2_best_index_1_0;
+      refinement_disparity_1_0 <= refinement_disparity_0_0;
+      refinement_disparity_1_1 <= refinement_disparity_0_1;
+      refinement_disparity_2_0 <= refinement_disparity_1_0;
+      refinement_disparity_2_1 <= refinement_disparity_1_1;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_3_1 <= refinement_disparity_2_1;
+      refinement_disparity_4_0 <= refinement_disparity_3_0;
+      refinement_disparity_4_1 <= refinement_disparity_3_1;
+      refinement_disparity_5_0 <= refinement_disparity_4_0;
+      refinement_disparity_5_1 <= refinement_disparity_4_1;
+      refinement_disparity_6_0 <= refinement_disparity_5_0;
+      refinement_disparity_6_1 <= refinement_disparity_5_1;
+      refinement_disparity_7_0 <= refinement_disparity_6_0;
+      refinement_disparity_7_1 <= refinement_disparity_6_1;
+      refinement_disparity_8_0 <= refinement_disparity_7_0;
+      refinement_disparity_8_1 <= refinement_disparity_7_1;
+      refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_9_1 <= refinement_disparity_8_1;
+      refinement_passed_0_0 <= true;
+      refinement_passed_1_0 <= refinement_passed_0_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0;
+      refinement_passed_4_0 <= refinement_passed_3_0;
+      refinement_passed_5_0 <= refinement_passed_4_0;
+      refinement_passed_6_0 <= refinement_passed_5_0;
+      refinement_passed_7_0 <= refinement_passed_6_0;
+      refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_tag_0_valid <= slice2_best_tag_valid;
+      refinement_tag_0_output_column <= slice2_best_tag_output_column;
+      refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
+      refinement_tag_0_end_of_line <= slice2_best_tag_end_of_line;
+      refinement_tag_1_valid <= refinement_tag_0_valid;
+      refinement_tag_1_output_column <= refinement_tag_0_output_column;
+      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
+      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
+      refinement_tag_2_valid <= refinement_tag_1_valid;
+      refinement_tag_2_output_column <= refinement_tag_1_output_column;
+      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
+      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_tag_4_valid <= refinement_tag_3_valid;
+      refinement_tag_4_output_column <= refinement_tag_3_output_column;
+      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
+      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
+      refinement_tag_5_valid <= refinement_tag_4_valid;
+      refinement_tag_5_output_column <= refinement_tag_4_output_column;
+      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
+      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
+      refinement_tag_6_valid <= refinement_tag_5_valid;
+      refinement_tag_6_output_column <= refinement_tag_5_output_column;
+      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
+      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
+      refinement_tag_7_valid <= refinement_tag_6_valid;
+      refinement_tag_7_output_column <= refinement_tag_6_output_column;
+      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
+      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
+      refinement_tag_8_valid <= refinement_tag_7_valid;
+      refinement_tag_8_output_column <= refinement_tag_7_output_column;
+      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
+      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
+      refinement_tag_9_valid <= refinement_tag_8_valid;
+      refinement_tag_9_output_column <= refinement_tag_8_output_column;
+      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
+      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 4096;
+      refinement_remainder_0_1 <= (refinement_remainder_0_1_choice_3 - refinement_remainder_0_1_choice_4) mod 4096;
+      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 4096;
+      refinement_remainder_1_1 <= (refinement_remainder_0_1 - refinement_remainder_1_1_choice) mod 4096;
+      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 2048) * 2) - refinement_remainder_2_0_choice) mod
+        4096;
+      refinement_remainder_2_1 <= (((refinement_remainder_1_1 mod 2048) * 2) - refinement_remainder_2_1_choice) mod
+        4096;
+      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 4096;
+      refinement_remainder_3_1 <= ((refinement_remainder_2_1 * 2) - refinement_remainder_3_1_choice) mod 4096;
+      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 4096;
+      refinement_remainder_4_1 <= ((refinement_remainder_3_1 * 2) - refinement_remainder_4_1_choice) mod 4096;
+      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 4096;
+      refinement_remainder_5_1 <= ((refinement_remainder_4_1 * 2) - refinement_remainder_5_1_choice) mod 4096;
+      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 4096;
+      refinement_remainder_6_1 <= ((refinement_remainder_5_1 * 2) - refinement_remainder_6_1_choice) mod 4096;
+      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 4096;
+      refinement_remainder_7_1 <= ((refinement_remainder_6_1 * 2) - refinement_remainder_7_1_choice) mod 4096;
+      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
+      refinement_divisor_0_1 <= 1 when refinement_remainder_0_1_choice_3 = 0 else refinement_remainder_0_1_choice_3;
+      refinement_divisor_1_0 <= refinement_divisor_0_0;
+      refinement_divisor_1_1 <= refinement_divisor_0_1;
+      refinement_divisor_2_0 <= refinement_divisor_1_0;
+      refinement_divisor_2_1 <= refinement_divisor_1_1;
+      refinement_divisor_3_0 <= refinement_divisor_2_0;
+      refinement_divisor_3_1 <= refinement_divisor_2_1;
+      refinement_divisor_4_0 <= refinement_divisor_3_0;
+      refinement_divisor_4_1 <= refinement_divisor_3_1;
+      refinement_divisor_5_0 <= refinement_divisor_4_0;
+      refinement_divisor_5_1 <= refinement_divisor_4_1;
+      refinement_divisor_6_0 <= refinement_divisor_5_0;
+      refinement_divisor_6_1 <= refinement_divisor_5_1;
+      refinement_divisor_7_0 <= refinement_divisor_6_0;
+      refinement_divisor_7_1 <= refinement_divisor_6_1;
+      refinement_quotient_1_1 <= refinement_remainder_1_1_is_not_less;
+      refinement_quotient_2_0 <= (as_number(raster_features_start_of_frame) * 2) +
+        as_number(refinement_remainder_2_0_is_not_less);
+      refinement_quotient_2_1 <= (as_number(refinement_quotient_1_1) * 2) +
+        as_number(refinement_remainder_2_1_is_not_less);
+      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
+      refinement_quotient_3_1 <= (refinement_quotient_2_1 * 2) + as_number(refinement_remainder_3_1_is_not_less);
+      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
+      refinement_quotient_4_1 <= (refinement_quotient_3_1 * 2) + as_number(refinement_remainder_4_1_is_not_less);
+      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
+      refinement_quotient_5_1 <= (refinement_quotient_4_1 * 2) + as_number(refinement_remainder_5_1_is_not_less);
+      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
+      refinement_quotient_6_1 <= (refinement_quotient_5_1 * 2) + as_number(refinement_remainder_6_1_is_not_less);
+      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
+      refinement_quotient_7_1 <= (refinement_quotient_6_1 * 2) + as_number(refinement_remainder_7_1_is_not_less);
+      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
+        refinement_divisor_7_0));
+      refinement_quotient_8_1 <= (refinement_quotient_7_1 * 2) + as_number(((refinement_remainder_7_1 * 2) >=
+        refinement_divisor_7_1));
+      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
+      refinement_negative_0_1 <= refinement_remainder_0_1_is_less;
+      refinement_negative_1_0 <= refinement_negative_0_0;
+      refinement_negative_1_1 <= refinement_negative_0_1;
+      refinement_negative_2_0 <= refinement_negative_1_0;
+      refinement_negative_2_1 <= refinement_negative_1_1;
+      refinement_negative_3_0 <= refinement_negative_2_0;
+      refinement_negative_3_1 <= refinement_negative_2_1;
+      refinement_negative_4_0 <= refinement_negative_3_0;
+      refinement_negative_4_1 <= refinement_negative_3_1;
+      refinement_negative_5_0 <= refinement_negative_4_0;
+      refinement_negative_5_1 <= refinement_negative_4_1;
+      refinement_negative_6_0 <= refinement_negative_5_0;
+      refinement_negative_6_1 <= refinement_negative_5_1;
+      refinement_negative_7_0 <= refinement_negative_6_0;
+      refinement_negative_7_1 <= refinement_negative_6_1;
+      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_negative_8_1 <= refinement_negative_7_1;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      refinement_fraction_1 <= ((((refinement_fraction_1_choice / 8) + 1) mod 32) * 8) + refinement_fraction_1_choice_2;
+      -- map
+      map_out_disparity_0 <= (((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) +
+        ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
+      map_out_disparity_1 <= (((((refinement_disparity_9_1 + (refinement_fraction_1 / 16)) * 2) +
+        ((refinement_fraction_1 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_1 mod 8);
+      map_out_passed_0 <= refinement_passed_9_0;
+      map_out_valid <= refinement_tag_9_valid and refinement_tag_9_output_column;
+      map_out_start_of_frame <= refinement_tag_9_start_of_frame and refinement_tag_9_valid and
+        refinement_tag_9_output_column;
+      map_out_end_of_line <= refinement_tag_9_end_of_line and refinement_tag_9_valid and refinement_tag_9_output_column;
+      if reset = '1' then
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 7;
+        raster_place_next_frame <= false;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+        refinement_tag_0_valid <= false;
+        refinement_tag_0_output_column <= false;
+        refinement_tag_0_start_of_frame <= false;
+        refinement_tag_0_end_of_line <= false;
+        refinement_tag_1_valid <= false;
+        refinement_tag_1_output_column <= false;
+        refinement_tag_1_start_of_frame <= false;
+        refinement_tag_1_end_of_line <= false;
+        refinement_tag_2_valid <= false;
+        refinement_tag_2_output_column <= false;
+        refinement_tag_2_start_of_frame <= false;
+        refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
+        refinement_tag_4_valid <= false;
+        refinement_tag_4_output_column <= false;
+        refinement_tag_4_start_of_frame <= false;
+        refinement_tag_4_end_of_line <= false;
+        refinement_tag_5_valid <= false;
+        refinement_tag_5_output_column <= false;
+        refinement_tag_5_start_of_frame <= false;
+        refinement_tag_5_end_of_line <= false;
+        refinement_tag_6_valid <= false;
+        refinement_tag_6_output_column <= false;
+        refinement_tag_6_start_of_frame <= false;
+        refinement_tag_6_end_of_line <= false;
+        refinement_tag_7_valid <= false;
+        refinement_tag_7_output_column <= false;
+        refinement_tag_7_start_of_frame <= false;
+        refinement_tag_7_end_of_line <= false;
+        refinement_tag_8_valid <= false;
+        refinement_tag_8_output_column <= false;
+        refinement_tag_8_start_of_frame <= false;
+        refinement_tag_8_end_of_line <= false;
+        refinement_tag_9_valid <= false;
+        refinement_tag_9_output_column <= false;
+        refinement_tag_9_start_of_frame <= false;
+        refinement_tag_9_end_of_line <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;

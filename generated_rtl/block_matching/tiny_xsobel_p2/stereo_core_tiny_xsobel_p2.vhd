@@ -1,0 +1,1145 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration tiny_xsobel_p2: 32x12, 8 disparities, window 3x3, 2 pixel pairs a clock.
+-- Options: disparities 8, prefilter xsobel, prefilter_cap 63, slice_disparities 3.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_xsobel_p2
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_xsobel_p2 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 32;
+    height_px : positive := 12;
+    disparities : positive := 8;
+    pixels_per_clock : positive := 2;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 24;
+    latency_clocks : positive := 21;
+    flush_groups : positive := 65;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(15 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(15 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(1 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 32 report "stereo_core_tiny_xsobel_p2: width_px is " & integer'image(width_px) & " but this core has 32" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_xsobel_p2: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 8 report "stereo_core_tiny_xsobel_p2: disparities is " & integer'image(disparities) & " but this core has 8" severity failure;
+  assert pixels_per_clock = 2 report "stereo_core_tiny_xsobel_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_xsobel_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 24 report "stereo_core_tiny_xsobel_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
+  assert latency_clocks = 21 report "stereo_core_tiny_xsobel_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert flush_groups = 65 report "stereo_core_tiny_xsobel_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 65" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_xsobel_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_xsobel_p2 is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 65535;
+  signal in_left_pixel : natural range 0 to 65535;
+  -- transform
+  signal transform_left_0, transform_left_1, transform_right_0, transform_right_1 : natural range 0 to 255;
+  signal transform_left_rows_read_newest_0, transform_left_rows_read_newest_1 : natural range 0 to 255;
+  signal transform_left_rows_ready_newest_0, transform_left_rows_ready_newest_1 : natural range 0 to 255;
+  signal transform_right_rows_read_newest_0, transform_right_rows_read_newest_1 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0, transform_right_rows_ready_newest_1 : natural range 0 to 255;
+  signal transform_left_column_0, transform_left_column_1, transform_left_column_2 : natural range 0 to 255;
+  signal transform_left_column_3, transform_right_column_0, transform_right_column_1 : natural range 0 to 255;
+  signal transform_right_column_2, transform_right_column_3, transform_left_filter_feature_1 : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
+  signal transform_read_row_inside_1, transform_read_row_inside_3, transform_read_column_inside_0 : boolean;
+  signal transform_read_column_inside_2, transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside_0, transform_ready_row_inside_1, transform_ready_row_inside_3 : boolean;
+  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_start_of_frame : boolean;
+  signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_1 : boolean;
+  signal transform_columns_row_inside_3, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
+  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
+  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
+  signal transform_write_column : natural range 0 to 31;
+  signal transform_counter_group : natural range 0 to 7;
+  signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(23 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 16777215;
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 16777215;
+  signal transform_left_filter_column_0_0, transform_left_filter_column_0_1 : natural range 0 to 1020;
+  signal transform_left_filter_column_1_0, transform_left_filter_column_1_1 : natural range 0 to 1020;
+  signal transform_left_filter_column_2_0, transform_left_filter_column_2_1 : natural range 0 to 1020;
+  signal transform_right_filter_column_0_0, transform_right_filter_column_0_1 : natural range 0 to 1020;
+  signal transform_right_filter_column_1_0, transform_right_filter_column_1_1 : natural range 0 to 1020;
+  signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 1020;
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 127;
+  signal transform_right_filter_feature_1 : natural range 0 to 127;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0, raster_features_reference_1 : natural range 0 to 127;
+  signal raster_features_search_1 : natural range 0 to 255;
+  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 31;
+  signal raster_place_group : natural range 0 to 7;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 7;
+  signal delay_ahead_0 : natural range 0 to 127;
+  signal delay_ahead_1 : natural range 0 to 255;
+  signal delay_delayed_0 : unsigned(13 downto 0);
+  signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_3, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(20 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_read_newest_1 : natural range 0 to 127;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_ready_newest_1, rows_search_0 : natural range 0 to 127;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_reference_0, rows_reference_1 : natural range 0 to 127;
+  signal rows_reference_2, rows_reference_3 : natural range 0 to 127;
+  signal rows_search_rows_read_newest_1, rows_search_rows_ready_newest_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_0, rows_reference_rows_ready_words_0 : natural range 0 to 2097151;
+  signal rows_reference_rows_write_words_0 : natural range 0 to 2097151;
+  signal rows_search_rows_write_words_0 : natural range 0 to 4194303;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_3, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_3 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 127;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 127;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 127;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 127;
+  signal slice0shift_reference_3, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 127;
+  signal slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 127;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -127 to 127;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -127 to 127;
+  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -127 to 127;
+  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -127 to 127;
+  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 383;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 127;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 127;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 511;
+  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 511;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 511;
+  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 511;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1022;
+  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 1022;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 1533;
+  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 1533;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 1533;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 1533;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 1533;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 1533;
+  signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 127;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 127;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 127;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 127;
+  signal slice1shift_reference_3, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 127;
+  signal slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 127;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -127 to 127;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -127 to 127;
+  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -127 to 127;
+  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -127 to 127;
+  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 383;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 127;
+  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 127;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
+  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 511;
+  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 511;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 511;
+  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 511;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1022;
+  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 1022;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 1533;
+  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 1533;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 1533;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 1533;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 1533;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 1533;
+  signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 127;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 127;
+  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_reference_0 : natural range 0 to 127;
+  signal slice2shift_reference_1, slice2shift_reference_2, slice2shift_reference_3 : natural range 0 to 127;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -127 to 127;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -127 to 127;
+  signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -127 to 127;
+  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1 : natural range 0 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 383;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 127;
+  signal slice2cost_single_3_1 : natural range 0 to 127;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 511;
+  signal slice2cost_column_1_1 : natural range 0 to 511;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 511;
+  signal slice2window_partial_1_0_1 : natural range 0 to 511;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_1_1_0 : natural range 0 to 1022;
+  signal slice2window_partial_1_1_1 : natural range 0 to 1022;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 1533;
+  signal slice2window_sum_1_1 : natural range 0 to 1533;
+  -- slice2winner1
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 1533;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 1533;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2
+  signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
+  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(13 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(3, 2));
+  disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
+
+  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 2097152), 21);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 21)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 21);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 21)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_1, 7) & to_unsigned(raster_features_reference_0, 7);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
+    variable transform_counter_group_is_equal_2, transform_counter_group_choice_2 : boolean;
+    variable transform_read_row_inside_0_value, transform_read_row_inside_0_any : boolean;
+    variable transform_read_row_inside_1_any, transform_read_column_inside_0_differs : boolean;
+    variable transform_left_filter_feature_0_all, transform_left_filter_feature_0_is_less : boolean;
+    variable transform_left_filter_feature_1_is_less, transform_counter_next_frame_is_equal : boolean;
+    variable transform_counter_next_frame_all, transform_counter_next_frame_is_equal_2 : boolean;
+    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_left_filter_column_0_0_choice_3, transform_left_filter_column_0_1_choice_3 : boolean;
+    variable transform_right_filter_column_0_0_choice_3, transform_right_filter_column_0_1_choice_3 : boolean;
+    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
+    variable raster_features_start_of_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
+    variable delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
+    variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 7;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
+    variable transform_left_filter_feature_0_difference : integer range -1020 to 1020;
+    variable transform_left_filter_feature_0_choice : integer range -1020 to 1020;
+    variable transform_left_filter_feature_1_difference : integer range -1020 to 1020;
+    variable transform_left_filter_feature_1_choice : integer range -1020 to 1020;
+    variable transform_right_filter_feature_0_difference : integer range -1020 to 1020;
+    variable transform_right_filter_feature_0_choice : integer range -1020 to 1020;
+    variable transform_right_filter_feature_0_choice_2 : integer range -1020 to 1020;
+    variable transform_right_filter_feature_1_difference : integer range -1020 to 1020;
+    variable transform_right_filter_feature_1_choice : integer range -1020 to 1020;
+    variable transform_right_filter_feature_1_choice_2 : integer range -1020 to 1020;
+    variable transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_left_filter_feature_0_choice_3 : natural range 0 to 127;
+    variable transform_left_filter_feature_1_choice_2 : natural range 0 to 255;
+    variable transform_left_filter_feature_1_choice_3, transform_left_filter_column_0_0_choice : natural range 0 to 255;
+    variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
+    variable transform_left_filter_column_0_1_choice : natural range 0 to 255;
+    variable transform_left_filter_column_0_1_choice_2 : natural range 0 to 255;
+    variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
+    variable transform_right_filter_column_0_0_choice_2 : natural range 0 to 255;
+    variable transform_right_filter_column_0_1_choice : natural range 0 to 255;
+    variable transform_right_filter_column_0_1_choice_2, slice0cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice0cost_pair_0_1_choice, slice0cost_pair_0_2_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_0_choice, slice1cost_pair_0_1_choice : natural range 0 to 255;
+    variable slice1cost_pair_0_2_choice, slice2cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice2cost_pair_0_1_choice : natural range 0 to 255;
+  begin
+    if rising_edge(clock) then
+      -- transform
+      transform_counter_group_is_equal := transform_counter_column = 31;
+      transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 5);
+      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      transform_counter_group_is_equal_2 := (transform_counter_group / 2) = 3;
+      transform_counter_group_choice_2 := in_valid and (not ((transform_counter_group mod 2) = 1)) when
+        transform_counter_group_is_equal_2 else in_valid;
+      transform_counter_group_choice_3 := 1 when raster_features_start_of_frame and (transform_counter_group = 6) else
+        (transform_counter_group + 1) mod 8;
+      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_is_equal and
+        transform_counter_group_choice_2 else transform_counter_group;
+      transform_read_row_inside_0_value := ((transform_counter_group / 2) mod 2) = 1;
+      transform_read_row_inside_0_any := ((transform_counter_group / 4) = 1) or transform_read_row_inside_0_value;
+      transform_read_row_inside_1_any := (not ((transform_counter_group / 4) = 1)) or (not
+        transform_read_row_inside_0_value);
+      transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
+      transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
+        transform_filtering_column_inside_0;
+      transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-63);
+      transform_left_filter_feature_0_choice := -63 when transform_left_filter_feature_0_is_less else
+        transform_left_filter_feature_0_difference;
+      transform_left_filter_feature_0_choice_2 := 65 when transform_left_filter_feature_0_is_less else
+        transform_left_filter_feature_0_difference mod 128;
+      transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
+        transform_left_filter_feature_0_choice < 63 else 63;
+      transform_left_filter_feature_1_difference := transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
+      transform_left_filter_feature_1_is_less := transform_left_filter_feature_1_difference < (-63);
+      transform_left_filter_feature_1_choice := -63 when transform_left_filter_feature_1_is_less else
+        transform_left_filter_feature_1_difference;
+      transform_left_filter_feature_1_choice_2 := 193 when transform_left_filter_feature_1_is_less else
+        transform_left_filter_feature_1_difference mod 256;
+      transform_left_filter_feature_1_choice_3 := transform_left_filter_feature_1_choice_2 when
+        transform_left_filter_feature_1_choice < 63 else 63;
+      transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
+        transform_right_filter_column_2_0;
+      transform_right_filter_feature_0_choice := -63 when transform_right_filter_feature_0_difference < (-63) else
+        transform_right_filter_feature_0_difference;
+      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
+        transform_right_filter_feature_0_choice < 63 else 63;
+      transform_right_filter_feature_1_difference := transform_right_filter_column_0_1 -
+        transform_right_filter_column_2_1;
+      transform_right_filter_feature_1_choice := -63 when transform_right_filter_feature_1_difference < (-63) else
+        transform_right_filter_feature_1_difference;
+      transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice when
+        transform_right_filter_feature_1_choice < 63 else 63;
+      transform_left_0 <= in_left_pixel mod 256;
+      transform_left_1 <= in_left_pixel / 256;
+      transform_right_0 <= in_right_pixel mod 256;
+      transform_right_1 <= in_right_pixel / 256;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice * 2 when in_start_of_frame and in_valid else
+        transform_counter_group_choice_4;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_read_newest_1 <= transform_left_1;
+      transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_left_rows_ready_newest_1 <= transform_left_rows_read_newest_1;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_read_newest_1 <= transform_right_1;
+      transform_right_rows_ready_words_0 <= to_integer(transform_right_rows_read_words_0);
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_right_rows_ready_newest_1 <= transform_right_rows_read_newest_1;
+      transform_read_column <= transform_counter_column;
+      transform_read_row_inside_0 <= transform_read_row_inside_0_any;
+      transform_read_row_inside_1 <= transform_read_row_inside_1_any when (transform_counter_group mod 2) = 1 else
+        transform_read_row_inside_0_any;
+      transform_read_row_inside_3 <= transform_read_row_inside_1_any;
+      transform_read_column_inside_0 <= transform_read_column_inside_0_differs or ((transform_counter_column mod 2) =
+        1);
+      transform_read_column_inside_2 <= transform_read_column_inside_0_differs or (not ((transform_counter_column mod
+        2) = 1));
+      transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
+      transform_read_valid <= transform_valid;
+      transform_ready_column <= transform_read_column;
+      transform_ready_row_inside_0 <= transform_read_row_inside_0;
+      transform_ready_row_inside_1 <= transform_read_row_inside_1;
+      transform_ready_row_inside_3 <= transform_read_row_inside_3;
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_start_of_frame <= transform_read_start_of_frame;
+      transform_ready_valid <= transform_read_valid;
+      transform_left_column_0 <= transform_left_rows_ready_words_0 mod 256;
+      transform_left_column_1 <= (transform_left_rows_ready_words_0 / 256) mod 256;
+      transform_left_column_2 <= transform_left_rows_ready_words_0 / 65536;
+      transform_left_column_3 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= transform_right_rows_ready_words_0 mod 256;
+      transform_right_column_1 <= (transform_right_rows_ready_words_0 / 256) mod 256;
+      transform_right_column_2 <= transform_right_rows_ready_words_0 / 65536;
+      transform_right_column_3 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_1 <= transform_ready_row_inside_1;
+      transform_columns_row_inside_3 <= transform_ready_row_inside_3;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_start_of_frame <= transform_ready_start_of_frame;
+      transform_columns_valid <= transform_ready_valid;
+      transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_3 + 63) mod 128 when
+        transform_left_filter_feature_0_all else 63;
+      transform_left_filter_feature_1 <= (transform_left_filter_feature_1_choice_3 + 63) mod 256 when
+        transform_left_filter_feature_0_all else 63;
+      transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_2 + 63) mod 128 when
+        transform_left_filter_feature_0_all else 63;
+      transform_right_filter_feature_1 <= (transform_right_filter_feature_1_choice_2 + 63) mod 128 when
+        transform_left_filter_feature_0_all else 63;
+      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_valid <= transform_columns_valid;
+      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
+      transform_filtered_valid <= transform_filtering_valid;
+      if in_valid then
+        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
+          (transform_counter_column + 1) mod 32;
+      end if;
+      transform_counter_next_frame_is_equal := raster_place_column = 31;
+      transform_counter_next_frame_all := transform_counter_next_frame_is_equal and (raster_place_group = 5);
+      transform_counter_next_frame_is_equal_2 := (raster_place_group / 2) = 3;
+      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
+        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
+      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
+        transform_counter_next_frame_is_equal else transform_counter_next_frame;
+      if transform_filtered_valid then
+        transform_counter_next_frame <= transform_counter_next_frame_all when transform_filtered_start_of_frame else
+          transform_counter_next_frame_choice_2;
+      end if;
+      if transform_ready_valid then
+        transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 65536) +
+          (transform_left_rows_ready_newest_0 * 256) + (transform_left_rows_ready_newest_1 * 65536);
+        transform_right_rows_write_words_0 <= (transform_right_rows_ready_words_0 / 65536) +
+          (transform_right_rows_ready_newest_0 * 256) + (transform_right_rows_ready_newest_1 * 65536);
+        transform_write_column <= transform_ready_column;
+      end if;
+      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
+        transform_left_column_2;
+      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_1 else
+        transform_left_column_0;
+      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
+        transform_columns_row_inside_1 else (transform_left_column_0 mod 2) = 1;
+      transform_left_filter_column_0_1_choice := transform_left_column_1 when transform_columns_row_inside_1 else
+        transform_left_column_3;
+      transform_left_filter_column_0_1_choice_2 := transform_left_column_3 when transform_columns_row_inside_3 else
+        transform_left_column_1;
+      transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1 when
+        transform_columns_row_inside_3 else (transform_left_column_1 mod 2) = 1;
+      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
+        transform_right_column_2;
+      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_1 else
+        transform_right_column_0;
+      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
+        transform_columns_row_inside_1 else (transform_right_column_0 mod 2) = 1;
+      transform_right_filter_column_0_1_choice := transform_right_column_1 when transform_columns_row_inside_1 else
+        transform_right_column_3;
+      transform_right_filter_column_0_1_choice_2 := transform_right_column_3 when transform_columns_row_inside_3 else
+        transform_right_column_1;
+      transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1 when
+        transform_columns_row_inside_3 else (transform_right_column_1 mod 2) = 1;
+      if transform_columns_valid then
+        transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
+          (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
+          as_number(transform_left_filter_column_0_0_choice_3);
+        transform_left_filter_column_0_1 <= transform_left_filter_column_0_1_choice +
+          (((transform_left_filter_column_0_1_choice_2 / 2) + transform_left_column_2) * 2) +
+          as_number(transform_left_filter_column_0_1_choice_3);
+        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
+        transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
+        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
+        transform_left_filter_column_2_1 <= transform_left_filter_column_1_1;
+        transform_right_filter_column_0_0 <= transform_right_filter_column_0_0_choice +
+          (((transform_right_filter_column_0_0_choice_2 / 2) + transform_right_column_1) * 2) +
+          as_number(transform_right_filter_column_0_0_choice_3);
+        transform_right_filter_column_0_1 <= transform_right_filter_column_0_1_choice +
+          (((transform_right_filter_column_0_1_choice_2 / 2) + transform_right_column_2) * 2) +
+          as_number(transform_right_filter_column_0_1_choice_3);
+        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
+        transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
+        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+        transform_right_filter_column_2_1 <= transform_right_filter_column_1_1;
+      end if;
+      -- raster
+      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
+      raster_place_group_choice_2 := transform_filtered_valid and (not ((raster_place_group mod 2) = 1)) when
+        transform_counter_next_frame_is_equal_2 else transform_filtered_valid;
+      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 6) else
+        (raster_place_group + 1) mod 8;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when transform_counter_next_frame_is_equal and
+        raster_place_group_choice_2 else raster_place_group;
+      raster_features_search_0 <= transform_left_filter_feature_0;
+      raster_features_search_1 <= transform_left_filter_feature_1;
+      raster_features_reference_0 <= transform_right_filter_feature_0;
+      raster_features_reference_1 <= transform_right_filter_feature_1;
+      raster_features_valid <= transform_filtered_valid;
+      raster_place_group <= raster_place_group_choice * 2 when transform_filtered_start_of_frame and
+        transform_filtered_valid else raster_place_group_choice_4;
+      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((transform_counter_group mod 2) = 1)
+        when transform_counter_group_is_equal_2 else raster_features_start_of_frame;
+      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
+        transform_counter_group_is_equal else raster_features_start_of_frame;
+      if in_valid then
+        raster_features_start_of_frame <= transform_counter_group_all when in_start_of_frame else
+          raster_features_start_of_frame_choice_2;
+      end if;
+      if transform_filtered_valid then
+        raster_place_column <= 0 when transform_counter_next_frame_is_equal or transform_filtered_start_of_frame else
+          (raster_place_column + 1) mod 32;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
+      delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
+      delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
+      delay_ahead_0 <= raster_features_search_0;
+      delay_ahead_1 <= raster_features_search_1;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_any;
+      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
+      delay_row_inside_3 <= delay_row_inside_1_any;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
+        (raster_place_column / 8) = 0;
+      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and (((raster_place_column + 65529) mod
+        65536) < 24);
+      delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_column = 30;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_read_newest_1 <= delay_ahead_1;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_search_rows_ready_newest_1 <= rows_search_rows_read_newest_1;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0(6 downto 0));
+      rows_reference_rows_read_newest_1 <= to_integer(delay_delayed_0(13 downto 7));
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_reference_rows_ready_newest_1 <= rows_reference_rows_read_newest_1;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_3 <= delay_row_inside_3;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_3 <= rows_read_inside_3;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
+      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_0 / 16384 when rows_ready_inside_1 else 0;
+      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_0 / 16384 when rows_ready_inside_1 else 0;
+      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
+          128) + (rows_search_rows_ready_newest_1 * 16384);
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
+          (rows_reference_rows_ready_newest_0 * 128) + (rows_reference_rows_ready_newest_1 * 16384);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= rows_search_1;
+        slice0shift_search_2_0 <= slice0shift_search_2_1;
+        slice0shift_search_2_1 <= slice0shift_search_2_2;
+        slice0shift_search_2_2 <= rows_search_2;
+        slice0shift_search_3_0 <= slice0shift_search_3_1;
+        slice0shift_search_3_1 <= slice0shift_search_3_2;
+        slice0shift_search_3_2 <= rows_search_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_search_out_2 <= slice0shift_search_2_0;
+      slice0shift_search_out_3 <= slice0shift_search_3_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
+        positive_part(slice0cost_difference_2_0);
+      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
+        positive_part(slice0cost_difference_2_1);
+      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
+        positive_part(slice0cost_difference_2_2);
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
+      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
+      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
+      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
+      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
+      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
+      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
+      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
+      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
+        slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
+        slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
+        slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
+        slice0cost_pair_0_0 + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
+        slice0cost_pair_0_1 + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
+        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
+        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
+        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
+        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
+        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
+        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
+      end if;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
+      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
+      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
+        slice0window_sum_1_0;
+      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 2;
+      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_tag_valid then
+        slice0winner1_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      end if;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
+        slice0winner1_best_cost_1_0;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
+        as_number(slice0winner1_best_index_1_0);
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice0shift_search_out_1;
+        slice1shift_search_2_0 <= slice1shift_search_2_1;
+        slice1shift_search_2_1 <= slice1shift_search_2_2;
+        slice1shift_search_2_2 <= slice0shift_search_out_2;
+        slice1shift_search_3_0 <= slice1shift_search_3_1;
+        slice1shift_search_3_1 <= slice1shift_search_3_2;
+        slice1shift_search_3_2 <= slice0shift_search_out_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_search_out_0 <= slice1shift_search_0_0;
+      slice1shift_search_out_1 <= slice1shift_search_1_0;
+      slice1shift_search_out_2 <= slice1shift_search_2_0;
+      slice1shift_search_out_3 <= slice1shift_search_3_0;
+      -- slice1cost
+      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
+        positive_part(slice1cost_difference_2_0);
+      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
+        positive_part(slice1cost_difference_2_1);
+      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
+        positive_part(slice1cost_difference_2_2);
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
+      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
+      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
+      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
+      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
+      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
+      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
+      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
+      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
+      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
+        slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
+        slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
+        slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
+        slice1cost_pair_0_0 + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
+        slice1cost_pair_0_1 + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
+        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
+        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
+        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
+        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
+        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
+        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
+      end if;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
+      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
+      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
+        slice1window_sum_1_0;
+      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
+        slice1winner1_best_cost_1_0;
+      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
+        as_number(slice1winner1_best_index_1_0);
+      -- slice1
+      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
+      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
+        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
+        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice2shift_search_0_1;
+        slice2shift_search_0_1 <= slice1shift_search_out_0;
+        slice2shift_search_1_0 <= slice2shift_search_1_1;
+        slice2shift_search_1_1 <= slice1shift_search_out_1;
+        slice2shift_search_2_0 <= slice2shift_search_2_1;
+        slice2shift_search_2_1 <= slice1shift_search_out_2;
+        slice2shift_search_3_0 <= slice2shift_search_3_1;
+        slice2shift_search_3_1 <= slice1shift_search_out_3;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference_3 <= slice1shift_reference_3;
+      -- slice2cost
+      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
+        positive_part(slice2cost_difference_2_0);
+      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
+        positive_part(slice2cost_difference_2_1);
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
+      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
+      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
+        as_number((slice2cost_difference_1_0 < 0));
+      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
+        as_number((slice2cost_difference_1_1 < 0));
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
+      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
+      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
+      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
+        slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
+        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
+        slice2cost_pair_0_0 + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
+        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      -- slice2window
+      if slice0winner1_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
+        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
+        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
+        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
+      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
+      -- slice2winner1
+      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
+        slice2window_sum_0_0;
+      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
+        slice2window_sum_1_0;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      -- slice2winner2
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
+        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
+        as_number(slice2winner2_best_index_1_0);
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if reset = '1' then
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 7;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_read_start_of_frame <= false;
+        transform_read_valid <= false;
+        transform_ready_column <= 0;
+        transform_ready_start_of_frame <= false;
+        transform_ready_valid <= false;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_start_of_frame <= false;
+        transform_filtering_valid <= false;
+        transform_filtered_start_of_frame <= false;
+        transform_filtered_valid <= false;
+        raster_features_start_of_frame <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 7;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Random configurations from the whole space of options, other ones on each run: their cores against the definition."""
+
+import re
+import shutil
+
+import pytest
+
+from flow.base.tools import ROOT
+from flow.cosim import random_cores
+from flow_commands import call, refused
+
+# A census that reaches further down than the window: its last rows need a longer gap than the window does.
+TALL_CENSUS = (
+    "STEREO_ROW(tall_census, random, Config(), width_px = 32, height_px = 12, disparities = 8, cost = Cost::census, "
+    "aggregation = Aggregation::recursive, slice_disparities = 3);"
+)
+
+
+@pytest.mark.parametrize("family, count", [("block_matching", 8), ("absolute_difference", 4)])
+def test_new_random_configurations_are_exact(family, count):
+    process = call("random_configurations.py", "--family", family, "--count", count)
+    assert process.returncode == 0, process.stdout + process.stderr
+    assert re.search(rf"^{count} of {count} configurations exact in \d+ maps$", process.stdout, re.MULTILINE)
+
+
+def test_a_census_taller_than_its_window_is_exact():
+    process = call("random_configurations.py", "--row", TALL_CENSUS, "--seed", 1)
+    assert process.returncode == 0, process.stdout + process.stderr
+
+
+FAULTS = {
+    "the gap counts the window only": (
+        "hls/block_matching/core.hpp",
+        r"return C\.has_transform\(\) && transform_rows > window_rows \? transform_rows : window_rows;",
+        "return window_rows;",
+    ),
+    "one flush group less": (
+        "hls/support/schedule.hpp",
+        r"left < 0 \? 0 : left, gap_groups",
+        "left < 1 ? 0 : left - 1, gap_groups",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_check_finds_a_fault(tmp_path, fault):
+    """In a copy of the sources."""
+    for folder in ("hls", "hls_tb"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    path, pattern, replacement = FAULTS[fault]
+    text, count = re.subn(pattern, replacement, (tmp_path / path).read_text())
+    assert count == 1, f"{path} has no {pattern}"
+    (tmp_path / path).write_text(text)
+    checker = random_cores.Checker("block_matching", 1, tmp_path, tmp_path)
+    assert not checker.check(random_cores.core_of(TALL_CENSUS)).exact
+    (tmp_path / path).write_text((ROOT / path).read_text())
+    assert checker.check(random_cores.core_of(TALL_CENSUS)).exact, "the copy without the fault"
+
+
+def test_bad_options():
+    refused(call("random_configurations.py", "--count", 0), 2, "must be at least 1")
+    refused(call("random_configurations.py", "--family", "nonsense"), 2, "nonsense")
+    refused(call("random_configurations.py", "--row", "tiny"), 2, "'tiny' is no row of a configuration")
