@@ -46,6 +46,7 @@ stereo_add_unit_tests(
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/texture_test.cpp
   blocks/semi_global/config_test.cpp
+  blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
