@@ -14,6 +14,14 @@ struct WindowConfig : block_matching::Config {
    constexpr int first_map_column() const { return first_cost_column(); }
    constexpr int output_width_px() const { return cost_columns(); }
    constexpr int output_first_column() const { return first_map_column() - reference_delay(); }
+
+   /// Windows of a single pixel need no block that sums, so that block matching's limit does not hold.
+   constexpr Sentence problem() const {
+      block_matching::Config checked = *this;
+      if (window_px == 1 && aggregation == Aggregation::recursive) return "a single pixel has no recursive sum";
+      if (window_px == 1) checked.window_px = 2;
+      return checked.problem();
+   }
 };
 
 /// How the core is built: the options are those of its window costs and of its winner tree.

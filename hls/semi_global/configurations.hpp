@@ -15,8 +15,10 @@ STEREO_ROW(tiny_sgm, tiny, Config(), width_px = 40, height_px = 12, disparities 
 // system: the recommended options at the sizes of today.
 STEREO_ROW(sgm_450, system, Config(), width_px = 450, height_px = 375, disparities = 64, reference = Reference::left,
            median = true, slice_disparities = 16);
-STEREO_ROW(sgm_640, system, sgm_450, width_px = 640, height_px = 480, disparities = 128);
-STEREO_ROW(sgm_1280, system, sgm_450, width_px = 1280, height_px = 720);
+// Costs of single pixels: fewer look-up tables for each disparity, for a little more error (docs/quality.md).
+STEREO_ROW(sgm_640, system, sgm_450, width_px = 640, height_px = 480, disparities = 128, window_px = 1,
+           census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);
+STEREO_ROW(sgm_1280, system, sgm_640, width_px = 1280, height_px = 720, disparities = 64);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);
@@ -30,6 +32,9 @@ STEREO_ROW(tiny_sgm_xsobel, option, tiny_sgm, cost = Cost::sad, prefilter = Pref
            cost_shift = 3, cost_cap = 20);
 STEREO_ROW(tiny_sgm_ssd, option, tiny_sgm, cost = Cost::ssd, cost_shift = 12, cost_cap = 31);
 STEREO_ROW(tiny_sgm_9x7, option, tiny_sgm, census_width_px = 9, census_height_px = 7, cost_shift = 5);
+STEREO_ROW(tiny_sgm_w1, option, tiny_sgm, window_px = 1, census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);
+STEREO_ROW(tiny_sgm_w1_sad_left, option, tiny_sgm, window_px = 1, cost = Cost::sad, cost_shift = 3, cost_cap = 12,
+           reference = Reference::left, cost_clocks = 2);
 STEREO_ROW(tiny_sgm_min3, option, tiny_sgm, min_disparity = 3);
 STEREO_ROW(tiny_sgm_min_negative, option, tiny_sgm, min_disparity = -4, reference = Reference::left);
 STEREO_ROW(tiny_sgm_ties, option, tiny_sgm, ties = Ties::largest, reference = Reference::left);

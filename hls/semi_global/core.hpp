@@ -4,6 +4,7 @@
 #include "frontend/line_buffer.hpp"
 #include "frontend/pair_delay.hpp"
 #include "frontend/raster.hpp"
+#include "frontend/single_row.hpp"
 #include "frontend/transform.hpp"
 #include "semi_global/config.hpp"
 #include "semi_global/cost_slice.hpp"
@@ -35,7 +36,7 @@ struct Core {
    static constexpr const auto& kWindows = kWindowConfig<C>;
 
    using TransformBlock = Optional<kWindows.has_transform(), Transform<kWindowConfig<C>>>;
-   using Rows = LineBuffer<kWindowConfig<C>>;
+   using Rows = std::conditional_t<kWindows.window_px == 1, SingleRow<kWindowConfig<C>>, LineBuffer<kWindowConfig<C>>>;
    using Slices = CostSlice<C>;
    using Forward = ForwardPaths<C>;
    using Sums = PathSums<C>;
@@ -53,7 +54,7 @@ struct Core {
    //   clocks   transform                 6 or none   x-Sobel or census
    //            raster                    1           place in the frame
    //            delay                     1           the reference meets what it is compared with
-   //            rows                      3           columns of all rows of the windows
+   //            rows                      3 or 1      columns of all rows of the windows, if these have more than one
    //            slices                    Slices::kClocks: window costs, scaled, of all disparities at once
    //            entry                     2           addresses of the rows that are kept
    //                 |                    from here on, moves with valid columns only

@@ -3,10 +3,21 @@
 
 #include "cost/column_cost.hpp"
 #include "cost/disparity_shift.hpp"
+#include "cost/single_column.hpp"
 #include "cost/window_sum.hpp"
 #include "semi_global/config.hpp"
 
 namespace stereo::semi_global {
+
+/// The block that makes window costs of column costs.
+template <const auto& W, int Count, bool IsSingle>
+struct CostWindow {
+   using Block = WindowBlock<W, Count>;
+};
+template <const auto& W, int Count>
+struct CostWindow<W, Count, true> {
+   using Block = SingleColumn<W, Count>;
+};
 
 /// Behind the last slice there are no disparities left.
 template <const Config& C>
@@ -38,7 +49,7 @@ struct CostSlice {
    using Next = std::conditional_t<kRest == 0, NoCostSlice<C>, CostSlice<C, kRest, Number + 1>>;
    using Shift = DisparityShift<kWindowConfig<C>, kCount>;
    using Column = ColumnBlock<kWindowConfig<C>, kCount>;
-   using Window = WindowBlock<kWindowConfig<C>, kCount>;
+   using Window = typename CostWindow<kWindowConfig<C>, kCount, kWindows.window_px == 1>::Block;
    using Value = PathCost<C>;
    static constexpr int kSlices = 1 + Next::kSlices;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;

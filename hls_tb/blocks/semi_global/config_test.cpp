@@ -27,7 +27,12 @@ TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
    EXPECT_EQ(problem([](Config& c) { c.disparities = 10; }),
              "the disparity range must leave 11 columns between the maps of two rows but leaves 9");
    EXPECT_EQ(problem([](Config& c) { c.width_px = 12; }), "the image must be wider than the disparity range");
-   EXPECT_EQ(problem([](Config& c) { c.window_px = 1; }), "the matching window must be 2x2 ... 31x31 pixels");
+   EXPECT_EQ(problem([](Config& c) { c.window_px = 32; }), "the matching window must be 2x2 ... 31x31 pixels");
+   EXPECT_EQ(problem([](Config& c) {
+                c.window_px = 1;
+                c.aggregation = Aggregation::recursive;
+             }),
+             "a single pixel has no recursive sum");
    EXPECT_EQ(problem([](Config& c) { c.p1 = -1; }), "the penalty P1 is -1 but must be 0 ... 4095");
    EXPECT_EQ(problem([](Config& c) { c.winner_group = 1; }),
              "the number of candidates of a winner group is 1 but must be 2 ... 16");
