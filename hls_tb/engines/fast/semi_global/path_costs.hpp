@@ -153,8 +153,11 @@ class WindowCosts {
       const Sum* const __restrict from = window_.data();
       const Sum cap = Sum(std::min<uint32_t>(uint32_t(matching_.cost_cap), std::numeric_limits<Sum>::max()));
       const int shift = matching_.cost_shift, lanes = Fixed > 0 ? Fixed : lanes_, disparities = matching_.disparities;
-      for (int d = 0; d < lanes; ++d) costs[d] = Lane(std::min(Sum(from[d] >> shift), cap));
       Lane smallest = std::numeric_limits<Lane>::max();
+      for (int d = 0; d < lanes; ++d) {
+         const Sum shifted = Sum(from[d] >> shift);
+         costs[d] = Lane(std::min(shifted, cap));
+      }
       for (int d = 0; d < disparities; ++d) smallest = std::min(smallest, costs[d]);
       return smallest;
    }

@@ -56,16 +56,12 @@ class Matcher {
       from_left_.start_row();
       from_right_.start_row();
       for (int i = 0; i <= last; ++i) {
-         if (matching_.path_left) add(sums(i), from_left_.next(costs(i), smallest(i), beyond_.data()), excess);
+         if (matching_.path_left) from_left_.add_next(costs(i), smallest(i), beyond_.data(), excess, sums(i));
          const int x = last - i;
-         if (matching_.path_right) add(sums(x), from_right_.next(costs(x), smallest(x), beyond_.data()), excess);
+         if (matching_.path_right) from_right_.add_next(costs(x), smallest(x), beyond_.data(), excess, sums(x));
       }
    }
    STEREO_INTO_CLONES Lane smallest(int x) const { return smallest_[std::size_t(x)]; }
-   STEREO_INTO_CLONES void add(Lane* __restrict to, const Lane* __restrict path, Lane excess) const {
-      const int lanes = Fixed > 0 ? Fixed : lanes_;
-      for (int d = 0; d < lanes; ++d) to[d] = Lane(to[d] + Lane(path[d] - excess));
-   }
 
    STEREO_INTO_CLONES void winners(int y) {
       other_.restart();
@@ -74,9 +70,9 @@ class Matcher {
          Lane* const __restrict to = total_.data();
          const Lane* const __restrict from = sums(x);
          const Lane* const __restrict beyond = beyond_.data();
-         for (int d = 0; d < lanes; ++d) to[d] = from[d];
-         if (matching_.path_above) from_above_.add(x, costs(x), beyond, to);
-         for (int d = 0; d < lanes; ++d) to[d] = Lane(to[d] | beyond[d]);
+         if (matching_.path_above) from_above_.add(x, costs(x), beyond, from, to);
+         else
+            for (int d = 0; d < lanes; ++d) to[d] = Lane(from[d] | beyond[d]);
          if (matching_.has_left_right_check()) fast::offer(other_, x, to, lanes, matching_.ties);
          match_pixel(x, y);
       }

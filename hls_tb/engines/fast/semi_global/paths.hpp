@@ -46,9 +46,10 @@ class RowPathState {
       since_ = 0;
    }
 
-   /// K + kBias of the next column; kMost behind the last disparity. The values of the column before are needed until
-   /// then, so the two take turns.
-   STEREO_INTO_CLONES const Lane* next(const Lane* __restrict costs, Lane smallest, const Lane* __restrict beyond) {
+   /// Adds K + kBias of the next column, less `excess`, to the sums. The values of the column before are needed until
+   /// the next ones are complete, so the two take turns.
+   STEREO_INTO_CLONES void add_next(const Lane* __restrict costs, Lane smallest, const Lane* __restrict beyond,
+                                    Lane excess, Lane* __restrict sums) {
       const Lane g = Lane(smallest + next_start());
       const int lanes = Fixed > 0 ? Fixed : lanes_;
       State &from = column_ % 2 == 0 ? first_ : second_, &to = column_ % 2 == 0 ? second_ : first_;
@@ -63,6 +64,7 @@ class RowPathState {
             const Lane change = Lane(costs[d] - g);
             next_k[d] = Lane(Lane(kBias + change) | beyond[d]);
             next_a[d] = Lane(Lane(kBias + p1) + change);
+            sums[d] = Lane(sums[d] + Lane(next_k[d] - excess));
             lowest = std::min(lowest, next_k[d]);
          }
       } else {
@@ -71,12 +73,12 @@ class RowPathState {
             const Lane stay = std::min(std::min(k[d], a[d]), kBias), step = std::min(k[d - 1], k[d + 1]);
             next_k[d] = Lane(Lane(stay + change) | beyond[d]);
             next_a[d] = Lane(Lane(step + p1) + change);
+            sums[d] = Lane(sums[d] + Lane(next_k[d] - excess));
             lowest = std::min(lowest, next_k[d]);
          }
       }
       lowest_[column_ % kHeld] = int(lowest) - int(kBias);
       ++column_;
-      return next_k;
    }
 
   private:
@@ -126,22 +128,27 @@ class PathFromAbove {
          state_(std::size_t(columns) * std::size_t(lanes), Lane(matching.p2)),
          bounded_(std::size_t(lanes) + 2 * kBeside, Lane(matching.p2)) {}
 
-   /// Adds K of the path in map column x to the sums.
+   /// total = sums + K of the path in map column x; kMost behind the last disparity.
    STEREO_INTO_CLONES void add(int x, const Lane* __restrict costs, const Lane* __restrict beyond,
-                               Lane* __restrict sums) {
+                               const Lane* __restrict sums, Lane* __restrict total) {
       Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes_;
       Lane* const __restrict bounded = bounded_.data() + kBeside;
       const int lanes = Fixed > 0 ? Fixed : lanes_;
       Lane smallest = kMost;
-      for (int d = 0; d < lanes; ++d) smallest = std::min(smallest, Lane(Lane(state[d] + costs[d]) | beyond[d]));
+      for (int d = 0; d < lanes; ++d) {
+         const Lane path = Lane(Lane(state[d] + costs[d]) | beyond[d]);
+         smallest = std::min(smallest, path);
+      }
       const Lane p1 = Lane(matching_.p1), p2 = Lane(matching_.p2);
       for (int d = 0; d < lanes; ++d) {
-         const Lane path = Lane(Lane(Lane(state[d] + costs[d]) | beyond[d]) - smallest);
-         sums[d] = Lane(sums[d] + path);
-         bounded[d] = std::min(path, p2);
+         const Lane path = Lane(Lane(state[d] + costs[d]) - smallest), all = Lane(path | beyond[d]);
+         total[d] = Lane(Lane(sums[d] + path) | beyond[d]);
+         bounded[d] = std::min(all, p2);
       }
-      for (int d = 0; d < lanes; ++d)
-         state[d] = std::min(bounded[d], Lane(std::min(bounded[d - 1], bounded[d + 1]) + p1));
+      for (int d = 0; d < lanes; ++d) {
+         const Lane near = Lane(std::min(bounded[d - 1], bounded[d + 1]) + p1);
+         state[d] = std::min(bounded[d], near);
+      }
    }
 
   private:
