@@ -76,6 +76,7 @@ class Matcher {
          if (matching_.has_left_right_check()) fast::offer(other_, x, to, lanes, matching_.ties);
          match_pixel(x, y);
       }
+      if (matching_.path_above) from_above_.next_row();
       if (matching_.has_left_right_check()) check_left_right(y);
    }
 

@@ -124,39 +124,51 @@ class PathFromAbove {
 
    PathFromAbove(const Matching& matching, int columns, int lanes)
        : matching_(matching),
+         columns_(columns),
          lanes_(lanes),
          state_(std::size_t(columns) * std::size_t(lanes), Lane(matching.p2)),
-         bounded_(std::size_t(lanes) + 2 * kBeside, Lane(matching.p2)) {}
+         bounded_(std::size_t(columns) * std::size_t(lanes + kBeside) + kBeside, Lane(matching.p2)) {}
 
    /// total = sums + K of the path in map column x; kMost behind the last disparity.
    STEREO_INTO_CLONES void add(int x, const Lane* __restrict costs, const Lane* __restrict beyond,
                                const Lane* __restrict sums, Lane* __restrict total) {
-      Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes_;
-      Lane* const __restrict bounded = bounded_.data() + kBeside;
       const int lanes = Fixed > 0 ? Fixed : lanes_;
+      const Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes;
+      Lane* const __restrict bounded = bounded_.data() + std::ptrdiff_t(x) * (lanes + kBeside) + kBeside;
       Lane smallest = kMost;
       for (int d = 0; d < lanes; ++d) {
          const Lane path = Lane(Lane(state[d] + costs[d]) | beyond[d]);
          smallest = std::min(smallest, path);
       }
-      const Lane p1 = Lane(matching_.p1), p2 = Lane(matching_.p2);
+      const Lane p2 = Lane(matching_.p2);
       for (int d = 0; d < lanes; ++d) {
          const Lane path = Lane(Lane(state[d] + costs[d]) - smallest), all = Lane(path | beyond[d]);
          total[d] = Lane(Lane(sums[d] + path) | beyond[d]);
          bounded[d] = std::min(all, p2);
       }
-      for (int d = 0; d < lanes; ++d) {
-         const Lane near = Lane(std::min(bounded[d - 1], bounded[d + 1]) + p1);
-         state[d] = std::min(bounded[d], near);
+   }
+
+   /// All columns have been added. Only now, since a vector that was written a moment ago cannot be read at another
+   /// place without a long wait.
+   STEREO_INTO_CLONES void next_row() {
+      const int lanes = Fixed > 0 ? Fixed : lanes_;
+      const Lane p1 = Lane(matching_.p1);
+      for (int x = 0; x < columns_; ++x) {
+         Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes;
+         const Lane* const __restrict bounded = bounded_.data() + std::ptrdiff_t(x) * (lanes + kBeside) + kBeside;
+         for (int d = 0; d < lanes; ++d) {
+            const Lane near = Lane(std::min(bounded[d - 1], bounded[d + 1]) + p1);
+            state[d] = std::min(bounded[d], near);
+         }
       }
    }
 
   private:
    static constexpr int kBeside = 32;
    const Matching& matching_;
-   int lanes_;
+   int columns_, lanes_;
    std::vector<Lane> state_;    ///< [x][d]: T
-   std::vector<Lane> bounded_;  ///< [d]: min(K, P2), between values that never win
+   std::vector<Lane> bounded_;  ///< [x][d]: min(K, P2), and beside each column values that never win
 };
 
 }  // namespace stereo::semi_global
