@@ -21,6 +21,8 @@ stereo_add_unit_tests(
   LINK stereo_testing
   FILES
   blocks/support/memory_bank_test.cpp
+  blocks/support/minimum_tree_test.cpp
+  blocks/support/move_delay_test.cpp
   blocks/support/packed_test.cpp
   blocks/support/ring_test.cpp
   blocks/support/row_buffer_test.cpp
@@ -43,6 +45,11 @@ stereo_add_unit_tests(
   blocks/block_matching/config_test.cpp
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/texture_test.cpp
+  blocks/semi_global/config_test.cpp
+  blocks/semi_global/cost_slice_test.cpp
+  blocks/semi_global/path_above_test.cpp
+  blocks/semi_global/row_order_test.cpp
+  blocks/semi_global/row_path_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
@@ -62,7 +69,9 @@ stereo_add_unit_tests(
   definition/block_matching/opencv_stereo_bm_test.cpp
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
+  definition/semi_global/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
+  engines/fast/semi_global/fast_model_test.cpp
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
   program/depth/depth_test.cpp

@@ -61,7 +61,10 @@ struct Config : Image, Matching, Structure {
    /// Bits of one disparity in the hardware's output word.
    constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
    constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
-   /// Disparities of the largest slice: a rest of one joins the slice before it, as a tree compares at least two.
+   /// Disparities of the first slice of so many: a rest of one joins the slice before it, as a tree compares at least
+   /// two.
+   constexpr int first_slice(int count) const { return count <= slice_disparities + 1 ? count : slice_disparities; }
+   /// Disparities of the largest slice.
    constexpr int largest_slice() const {
       if (disparities <= slice_disparities + 1) return disparities;
       return disparities % slice_disparities == 1 ? slice_disparities + 1 : slice_disparities;
@@ -77,6 +80,14 @@ struct Config : Image, Matching, Structure {
    /// Rows whose pixels are compared. Direct: all that the windows cover. Recursive: P that leave and P that enter.
    constexpr int tap_rows() const {
       return aggregation == Aggregation::recursive ? 2 * pixels_per_clock : pixels_per_clock + window_px - 1;
+   }
+   /// Groups that must stand between two frames. Recursive sums of a frame's last rows and of the next one's first rows
+   /// would need the same memory at once, so whole rows of groups stand between them; and as the next frame then does
+   /// not follow at once, as many as the transform needs to give the last rows.
+   constexpr int gap_groups() const {
+      const int window_rows = delay_groups() * width_px, transform = transform_groups() * width_px;
+      if (aggregation == Aggregation::direct || window_rows == 0) return 0;
+      return has_transform() && transform > window_rows ? transform : window_rows;
    }
    /// Row of tap t, counted from top_row().
    constexpr int tap_row(int t) const {

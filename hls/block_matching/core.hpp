@@ -58,15 +58,8 @@ struct Core {
    static constexpr int kGroupsToFirstOutput = TransformBlock::kLagGroups + LineBuffer<C>::kLagGroups +
                                                C.first_map_column() + C.columns_after() + CheckBlock::kLagGroups +
                                                MapBlock::kLagGroups + 1;
-   /// Recursive sums of a frame's last rows and of the next one's first rows would need the same memory at once, so whole
-   /// rows of groups stand between them; and as the next frame then does not follow at once, as many as the transform
-   /// needs to give the last rows.
-   static constexpr int kGap = [] {
-      const int window_rows = LineBuffer<C>::kLagGroups, transform_rows = C.transform_groups() * C.width_px;
-      if (C.aggregation == Aggregation::direct || window_rows == 0) return 0;
-      return C.has_transform() && transform_rows > window_rows ? transform_rows : window_rows;
-   }();
-   static constexpr Schedule kSchedule = raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, kGap);
+   static constexpr Schedule kSchedule =
+       raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput, C.gap_groups());
 
    // The first memory number of each block.
    static constexpr int kDelayMemory = TransformBlock::kMemories;

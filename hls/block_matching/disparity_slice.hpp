@@ -19,8 +19,7 @@ struct DisparitySlice {
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kTaps = C.tap_rows();
    static constexpr bool kFalls = C.reference == Reference::right;
-   /// A rest of one disparity joins the slice before it: a tree compares at least two.
-   static constexpr int kCount = Disparities <= C.slice_disparities + 1 ? Disparities : C.slice_disparities;
+   static constexpr int kCount = C.first_slice(Disparities);
    static constexpr int kRest = Disparities - kCount;
    static constexpr int kFirst = kFalls ? kRest : C.disparities - Disparities;  ///< lowest disparity here
    static constexpr bool kIsLast = kRest == 0;

@@ -18,8 +18,8 @@
 namespace stereo {
 
 /// The visitor that gives registers their first value. Records with a constructor and inner blocks start by themselves.
-/// A record that stands in arrays must have none: clang would call it in a loop of its own, which stays a loop where the
-/// array is large.
+/// A record that stands in arrays must have none: clang would call it in a loop of its own, which stays a loop where
+/// the array is large.
 struct StartingValues {
    template <class T>
    HLS_INLINE void operator()(const char*, T& value) {

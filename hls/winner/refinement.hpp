@@ -22,7 +22,7 @@ struct Refinement {
    uint8_t disparity[kStages][kPixels];
    bool passed[kStages][kPixels];
    PixelTag tag[kStages];
-   // Uniqueness: 100 * (second - cost) > percent * cost.
+   // Uniqueness: 100 * (second - cost) > percent * cost, or second - cost >= distance.
    Value cost[kPixels], gap[kPixels];                   // stage 0
    bool alone[kUniquenessStage][kPixels];               ///< there is no second
    uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 1
@@ -124,8 +124,13 @@ struct Refinement {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          alone[1][p] = alone[0][p];
-         scaled_gap[p] = uint32_t(gap[p]) * 100u;
-         scaled_cost[p] = uint32_t(cost[p]) * uint32_t(C.uniqueness_percent);
+         if constexpr (requires { C.uniqueness_distance; }) {
+            scaled_gap[p] = gap[p];
+            scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);
+         } else {
+            scaled_gap[p] = uint32_t(gap[p]) * 100u;
+            scaled_cost[p] = uint32_t(cost[p]) * uint32_t(C.uniqueness_percent);
+         }
       }
    }
 

@@ -62,14 +62,23 @@ CostVolume column_sums(const CostVolume& costs, int window_px) {
    return sums;
 }
 
-CostVolume window_sums(const CostVolume& costs, int window_px) {
+CostVolume all_window_sums(const CostVolume& costs, int window_px) {
    const int before = window_px / 2, after = (window_px - 1) / 2;
    const CostVolume columns = column_sums(costs, window_px);
-   CostVolume sums(costs.width - 1, costs.height, costs.disparities);
+   CostVolume sums(costs.width, costs.height, costs.disparities);
    for (int y = 0; y < sums.height; ++y)
       for (int x = 0; x < sums.width; ++x)
          for (int column = std::max(x - before, 0); column <= x + std::min(after, costs.width - 1 - x); ++column)
             for (int d = 0; d < sums.disparities; ++d) sums.at(x, y, d) += columns.at(column, y, d);
+   return sums;
+}
+
+CostVolume window_sums(const CostVolume& costs, int window_px) {
+   const CostVolume all = all_window_sums(costs, window_px);
+   CostVolume sums(costs.width - 1, costs.height, costs.disparities);
+   for (int y = 0; y < sums.height; ++y)
+      for (int x = 0; x < sums.width; ++x)
+         for (int d = 0; d < sums.disparities; ++d) sums.at(x, y, d) = all.at(x, y, d);
    return sums;
 }
 

@@ -56,7 +56,10 @@ CensusImage census_transform(const GrayImage& image, int census_width_px, int ce
 /// Sum of c over the rows y-B/2 ... y+(B-1)/2 of one column; rows outside the image count 0. Same size as c.
 CostVolume column_sums(const CostVolume& costs, int window_px);
 
-/// 3. S(x,y,d): sum of c over the window around (x,y); cost columns and rows outside count 0. One column less than c.
+/// 3. S(x,y,d): sum of c over the window around (x,y); cost columns and rows outside count 0. As many columns as c.
+CostVolume all_window_sums(const CostVolume& costs, int window_px);
+
+/// The same for the columns of the map of block matching: one column less than c.
 CostVolume window_sums(const CostVolume& costs, int window_px);
 
 /// 4. d*, in pixels, all valid.

@@ -11,10 +11,14 @@
 #include "definition/block_matching/matching_input.hpp"
 #include "engines/fast/block_matching/aligned_rows.hpp"
 #include "engines/fast/census.hpp"
+#include "engines/fast/row_winners.hpp"
 #include "engines/fast/vector_clones.hpp"
 
 namespace stereo::block_matching {
 namespace {
+
+using fast::OtherWinners;
+using fast::PixelResult;
 
 /// Loops run over whole vectors of this many disparities; what stands behind the last disparity never wins.
 constexpr int kLanes = 16;
@@ -27,23 +31,6 @@ struct SquaredDifference {
 };
 struct HammingDistance {
    static int cost(uint64_t left, uint64_t right) { return std::popcount(left ^ right); }
-};
-
-/// What one pixel of the map follows from.
-template <class Sum>
-struct PixelResult {
-   Sum smallest;
-   int winner;
-};
-
-/// The other image's best sums and their disparities, of one row. [X - first column]
-template <class Sum>
-struct OtherWinners {
-   std::vector<Sum> best, disparity;
-
-   explicit OtherWinners(int columns) : best(std::size_t(columns)), disparity(best) {}
-   /// Every sum is better than this, and what stands behind the last disparity is not.
-   void restart() { std::fill(best.begin(), best.end(), Sum(std::numeric_limits<Sum>::max() - 1)); }
 };
 
 /// The pixels that one cost column compares in one row.
@@ -68,56 +55,6 @@ STEREO_INTO_CLONES void add_column(Sum* __restrict sums, const Sum* __restrict c
 template <class Sum>
 STEREO_INTO_CLONES void remove_column(Sum* __restrict sums, const Sum* __restrict column, int lanes) {
    for (int d = 0; d < lanes; ++d) sums[d] = Sum(sums[d] - column[d]);
-}
-
-template <class Sum>
-STEREO_INTO_CLONES PixelResult<Sum> find_winner(const Sum* sums, int lanes, Ties ties) {
-   constexpr Sum kMost = std::numeric_limits<Sum>::max();
-   Sum smallest = kMost;
-   for (int d = 0; d < lanes; ++d) smallest = std::min(smallest, sums[d]);
-   Sum first = kMost, last = 0;
-   if (ties == Ties::smallest)
-      for (int d = 0; d < lanes; ++d) first = std::min(first, sums[d] == smallest ? Sum(d) : kMost);
-   else
-      for (int d = 0; d < lanes; ++d) last = std::max(last, sums[d] == smallest ? Sum(d) : Sum(0));
-   return {smallest, int(ties == Ties::smallest ? first : last)};
-}
-
-/// No disparity but the winner and its neighbours has a sum close to the smallest one.
-template <class Sum>
-STEREO_INTO_CLONES bool is_unique(const Sum* sums, int disparities, int lanes, PixelResult<Sum> pixel, int percent) {
-   const uint64_t wanted = pixel.smallest + uint64_t(percent) * pixel.smallest / 100;
-   const Sum limit = Sum(std::min<uint64_t>(wanted, std::numeric_limits<Sum>::max() - 1));
-   Sum close = 0;
-   for (int d = 0; d < lanes; ++d) close = Sum(close + (sums[d] <= limit ? 1 : 0));
-   int near = 0;
-   for (int d = std::max(pixel.winner - 1, 0); d <= std::min(pixel.winner + 1, disparities - 1); ++d)
-      near += sums[d] <= limit ? 1 : 0;
-   return int(close) == near;
-}
-
-/// In sixteenths of a pixel.
-template <class Sum>
-STEREO_INTO_CLONES uint16_t refined(const Sum* sums, int disparities, PixelResult<Sum> pixel) {
-   const int d = pixel.winner;
-   if (d == 0 || d == disparities - 1) return uint16_t(16 * d);
-   const int64_t u = int64_t(sums[d - 1]) - pixel.smallest, v = int64_t(sums[d + 1]) - pixel.smallest;
-   const int64_t larger = std::max(u, v), offset = larger == 0 ? 0 : (u - v) * 128 / larger;
-   return uint16_t((256 * d + offset + 15) >> 4);
-}
-
-/// Offers the sums of map column x to the pixels x+d of the other image. Columns come from left to right, so that each
-/// pixel sees its largest disparity first.
-template <class Sum>
-STEREO_INTO_CLONES void offer(OtherWinners<Sum>& other, int x, const Sum* __restrict sums, int lanes, Ties ties) {
-   Sum* const __restrict best = other.best.data() + x;
-   Sum* const __restrict disparity = other.disparity.data() + x;
-   const Sum smaller_wins = ties == Ties::smallest ? 1 : 0;  // among equal sums
-   for (int d = 0; d < lanes; ++d) {
-      const bool better = sums[d] < Sum(best[d] + smaller_wins);
-      disparity[d] = better ? Sum(d) : disparity[d];
-      best[d] = better ? sums[d] : best[d];
-   }
 }
 
 template <class Difference, class Sum, class Pixel>
@@ -150,20 +87,25 @@ struct Matcher {
          if (x + after < pair.columns) add_column(sums.data(), column(x + after), lanes);
          if (x - before > 0) remove_column(sums.data(), column(x - before - 1), lanes);
          std::fill(sums.begin() + matching.disparities, sums.end(), std::numeric_limits<Sum>::max());
-         if (matching.has_left_right_check()) offer(other, x, sums.data(), lanes, matching.ties);
+         if (matching.has_left_right_check()) fast::offer(other, x, sums.data(), lanes, matching.ties);
          match_pixel(x, y);
       }
       if (matching.has_left_right_check()) check_left_right(y);
    }
 
    STEREO_INTO_CLONES void match_pixel(int x, int y) {
-      const PixelResult<Sum> pixel = find_winner(sums.data(), lanes, matching.ties);
+      const PixelResult<Sum> pixel = fast::find_winner(sums.data(), lanes, matching.ties);
       winners[std::size_t(x)] = pixel.winner;
       const int disparities = matching.disparities;
-      map.at(x, y) = matching.subpixel ? refined(sums.data(), disparities, pixel) : uint16_t(pixel.winner);
+      map.at(x, y) = matching.subpixel ? fast::refined(sums.data(), disparities, pixel) : uint16_t(pixel.winner);
       if (matching.has_uniqueness_check() &&
-          !is_unique(sums.data(), disparities, lanes, pixel, matching.uniqueness_percent))
+          !fast::is_unique(sums.data(), disparities, lanes, pixel, close_sum(pixel.smallest)))
          map.valid_at(x, y) = 0;
+   }
+
+   /// The largest sum that is too close to the smallest one.
+   STEREO_INTO_CLONES uint64_t close_sum(uint64_t smallest) const {
+      return smallest + uint64_t(matching.uniqueness_percent) * smallest / 100;
    }
 
    STEREO_INTO_CLONES void check_left_right(int y) {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "block_matching/config.hpp"
+#include "semi_global/matching.hpp"
+#include "support/hls_support.hpp"
+#include "support/image.hpp"
+
+namespace stereo::semi_global {
+
+/// The block matching whose window costs the paths see: what the blocks up to the windows are templates over. Its map
+/// has all cost columns: a path that leaves out a column would lose it for nothing.
+struct WindowConfig : block_matching::Config {
+   constexpr int first_map_column() const { return first_cost_column(); }
+   constexpr int output_width_px() const { return cost_columns(); }
+   constexpr int output_first_column() const { return first_map_column() - reference_delay(); }
+
+   /// Windows of a single pixel need no block that sums, so that block matching's limit does not hold.
+   constexpr Sentence problem() const {
+      block_matching::Config checked = *this;
+      if (window_px == 1 && aggregation == Aggregation::recursive) return "a single pixel has no recursive sum";
+      if (window_px == 1) checked.window_px = 2;
+      return checked.problem();
+   }
+};
+
+/// How the core is built: the options are those of its window costs and of its winner tree.
+using Structure = block_matching::Structure;
+
+/// One hardware configuration of the semi-global core. Every block is a template over one; the named ones are in
+/// configurations.hpp.
+struct Config : Image, Matching, Structure {
+   constexpr WindowConfig windows() const { return {{Image(*this), window_costs(), Structure(*this)}}; }
+
+   constexpr int output_width_px() const { return windows().output_width_px(); }
+   constexpr int disparity_bits() const { return subpixel ? 16 : 8; }
+   constexpr int steps_per_pixel() const { return subpixel ? 16 : 1; }
+
+   /// Levels of a tree over all disparities.
+   constexpr int tree_levels() const {
+      int levels = 0;
+      while (1 << levels < disparities) ++levels;
+      return levels;
+   }
+
+   // Numbers of the paths; docs/algorithm.md proves the bounds.
+   /// Largest cost that a path sees.
+   constexpr int largest_cost() const {
+      const int shifted = windows().largest_window_cost() >> cost_shift;
+      return shifted < cost_cap ? shifted : cost_cap;
+   }
+   constexpr int cost_bits() const { return bits_for(largest_cost()); }
+   /// The K and A of the row paths are kept with a bias of half their range: then their highest bit says that they are
+   /// not below 0.
+   constexpr int row_path_bits() const {
+      const int highest = 2 * largest_cost() + p1, lowest = p2 + (largest_cost() > p1 ? largest_cost() - p1 : 0);
+      int bits = 2;
+      while (1 << (bits - 1) <= highest || 1 << (bits - 1) < lowest) ++bits;
+      return bits;
+   }
+   constexpr int row_path_bias() const { return 1 << (row_path_bits() - 1); }
+   /// Largest K of the path from above, which is never below 0.
+   constexpr int largest_path_above() const { return p2 + largest_cost(); }
+   /// Largest sum of the paths that a row is scanned for from its left end on, biases included.
+   constexpr int largest_forward_sum() const {
+      return (path_left ? row_path_bias() + largest_cost() : 0) + (path_above ? largest_path_above() : 0);
+   }
+   constexpr int largest_sum() const {
+      return largest_forward_sum() + (path_right ? row_path_bias() + largest_cost() : 0);
+   }
+   /// Moves behind the last column of a row before its last word is in the memory that turns the row round.
+   constexpr int turn_columns() const { return tree_levels() + 7; }
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      Image::options(self, visit);
+      Matching::options(self, visit);
+      Structure::options(self, visit);
+   }
+
+   /// Why this core cannot be built; empty when it can. Each block relies on it instead of repeating it.
+   constexpr Sentence problem() const {
+      if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
+      if (const Sentence sentence = windows().problem(); !sentence.empty()) return sentence;
+      if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";
+      if (disparities < 8) return "the disparity range must be 8 ... 256";
+      if (width_px - output_width_px() < turn_columns()) {
+         Sentence sentence = "the disparity range must leave ";
+         return sentence << turn_columns() << " columns between the maps of two rows but leaves "
+                         << width_px - output_width_px();
+      }
+      return {};
+   }
+};
+
+template <const auto& C>
+inline constexpr auto kWindowConfig = C.windows();
+
+/// What the blocks behind the sums are templates over: sums stand in for window costs.
+struct SumConfig : WindowConfig {
+   int largest_sum;
+   int uniqueness_distance;
+
+   constexpr int largest_window_cost() const { return largest_sum; }
+   constexpr bool has_uniqueness_check() const { return uniqueness_distance > 0; }
+};
+
+/// With a path from the right, rows come out of it from their last column to their first: what is left and right
+/// changes places for what looks along the row.
+template <const auto& C>
+inline constexpr SumConfig kSumConfig = [] {
+   WindowConfig config = C.windows();
+   if (C.path_right) config.reference = C.reference == Reference::right ? Reference::left : Reference::right;
+   return SumConfig{config, C.largest_sum(), C.uniqueness_distance};
+}();
+
+/// Types of a cost, of K and A of a row path, of K of the path from above, and of sums.
+template <const auto& C>
+using PathCost = uint_of_bits<C.cost_bits()>;
+template <const auto& C>
+using RowPathValue = uint_of_bits<C.row_path_bits()>;
+template <const auto& C>
+using AbovePathValue = uint_of_bits<bits_for(C.largest_path_above())>;
+template <const auto& C>
+using ForwardSum = uint_of_bits<bits_for(C.largest_forward_sum())>;
+
+}  // namespace stereo::semi_global

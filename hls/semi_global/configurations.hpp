@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The named configurations of semi-global matching: the only place where their values stand. The hardware top uses the
+// objects, scripts ask `stereo_hls configurations --json`.
+#pragma once
+
+#include "semi_global/config.hpp"
+#include "support/configuration.hpp"
+
+namespace stereo::semi_global::configurations {
+
+// clang-format off
+// tiny: small enough for every tool to finish in seconds.
+STEREO_ROW(tiny_sgm, tiny, Config(), width_px = 40, height_px = 12, disparities = 12, slice_disparities = 5);
+
+// system: the recommended options at the sizes of today.
+STEREO_ROW(sgm_450, system, Config(), width_px = 450, height_px = 375, disparities = 64, reference = Reference::left,
+           median = true, slice_disparities = 16);
+// Costs of single pixels: fewer look-up tables for each disparity, for a little more error (docs/quality.md).
+STEREO_ROW(sgm_640, system, sgm_450, width_px = 640, height_px = 480, disparities = 128, window_px = 1,
+           census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);
+STEREO_ROW(sgm_1280, system, sgm_640, width_px = 1280, height_px = 720, disparities = 64);
+
+// option: one option after the other, alone and together, at a size that a test can afford.
+STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);
+STEREO_ROW(tiny_sgm_forward, option, tiny_sgm, path_right = false);
+STEREO_ROW(tiny_sgm_rows, option, tiny_sgm, path_above = false, reference = Reference::left);
+STEREO_ROW(tiny_sgm_above, option, tiny_sgm, path_left = false, path_right = false);
+STEREO_ROW(tiny_sgm_backward, option, tiny_sgm, path_left = false, path_above = false, reference = Reference::left);
+STEREO_ROW(tiny_sgm_penalties, option, tiny_sgm, cost_shift = 2, p1 = 19, p2 = 90);
+STEREO_ROW(tiny_sgm_sad, option, tiny_sgm, cost = Cost::sad, cost_shift = 6, cost_cap = 15);
+STEREO_ROW(tiny_sgm_xsobel, option, tiny_sgm, cost = Cost::sad, prefilter = Prefilter::xsobel, window_px = 2,
+           cost_shift = 3, cost_cap = 20);
+STEREO_ROW(tiny_sgm_ssd, option, tiny_sgm, cost = Cost::ssd, cost_shift = 12, cost_cap = 31);
+STEREO_ROW(tiny_sgm_9x7, option, tiny_sgm, census_width_px = 9, census_height_px = 7, cost_shift = 5);
+STEREO_ROW(tiny_sgm_w1, option, tiny_sgm, window_px = 1, census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);
+STEREO_ROW(tiny_sgm_w1_sad_left, option, tiny_sgm, window_px = 1, cost = Cost::sad, cost_shift = 3, cost_cap = 12,
+           reference = Reference::left, cost_clocks = 2);
+STEREO_ROW(tiny_sgm_min3, option, tiny_sgm, min_disparity = 3);
+STEREO_ROW(tiny_sgm_min_negative, option, tiny_sgm, min_disparity = -4, reference = Reference::left);
+STEREO_ROW(tiny_sgm_ties, option, tiny_sgm, ties = Ties::largest, reference = Reference::left);
+STEREO_ROW(tiny_sgm_lr, option, tiny_sgm, left_right_threshold = 1);
+STEREO_ROW(tiny_sgm_lr_left_ties, option, tiny_sgm, reference = Reference::left, ties = Ties::largest,
+           left_right_threshold = 0);
+STEREO_ROW(tiny_sgm_lr_forward, option, tiny_sgm_lr, path_right = false);
+STEREO_ROW(tiny_sgm_unique, option, tiny_sgm, uniqueness_distance = 4);
+STEREO_ROW(tiny_sgm_subpixel, option, tiny_sgm, subpixel = true);
+STEREO_ROW(tiny_sgm_median, option, tiny_sgm, median = true);
+STEREO_ROW(tiny_sgm_recursive, option, tiny_sgm, window_px = 5, cost_shift = 5, reference = Reference::left,
+           aggregation = Aggregation::recursive);
+STEREO_ROW(tiny_sgm_d19, option, tiny_sgm, width_px = 47, disparities = 19, slice_disparities = 6, winner_group = 3);
+STEREO_ROW(tiny_sgm_all, option, tiny_sgm, left_right_threshold = 1, uniqueness_distance = 3, subpixel = true,
+           median = true);
+STEREO_ROW(tiny_sgm_all_left, option, tiny_sgm_all, reference = Reference::left, ties = Ties::largest);
+// clang-format on
+
+}  // namespace stereo::semi_global::configurations

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/config.hpp"
+#include "semi_global/path_above.hpp"
+#include "semi_global/path_entry.hpp"
+#include "semi_global/row_path.hpp"
+#include "support/minimum_tree.hpp"
+#include "support/move_delay.hpp"
+#include "support/optional_block.hpp"
+
+namespace stereo::semi_global {
+
+/// The paths that go with the stream, from the left and from above, and their sum, kMoves moves behind the costs.
+/// Beside it come the costs and the smallest of them, for the path from the right. Memory: (levels + 1) x D x bits of a
+/// cost, LUT RAM, and that of the path from above.
+template <const Config& C>
+struct ForwardPaths {
+   static constexpr int kCount = C.disparities;
+   using Tree = MinimumTree<PathCost<C>, kCount>;
+   static constexpr int kLevels = Tree::kLevels;
+   static constexpr bool kHasSmallest = C.path_left || C.path_right;
+   using Left = RowPath<C>;
+   using Above = Optional<C.path_above, PathAbove<C>>;
+   using CostDelay = Optional<kHasSmallest, MoveDelay<C.cost_bits(), kCount, kLevels + 1>>;
+   static constexpr int kPathMoves = kLevels + Left::kMoves;
+   static_assert(!C.path_above || PathAbove<C>::kMoves == kPathMoves, "the paths must meet");
+   static constexpr int kMoves = kPathMoves + 1;
+   static constexpr int kMemories = CostDelay::kMemories + Above::kMemories;
+   /// From the costs that enter the row path to the sum.
+   static constexpr int kCostMoves = kMoves - (kLevels + 1);
+
+   Tree smallest;
+   CostDelay cost_delay;
+   Left left;
+   Above above;
+   ForwardSum<C> sum[kCount];
+   // Beside them. [age]: of the column that entered age+1 moves ago, or of the one whose costs left the delay age+1
+   // moves ago, or of the one whose smallest cost left its tree then.
+   bool first[kMoves];
+   PathCost<C> cost[kCostMoves][kCount];
+   PathCost<C> smallest_cost[kMoves - kLevels];
+
+   template <class Source, int First>
+   HLS_INLINE ForwardPaths(Source& memories, MemoryId<First> number)
+       : cost_delay(memories, number), above(memories, MemoryId<First + CostDelay::kMemories>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (kHasSmallest) visit("smallest", smallest);
+      if constexpr (kHasSmallest) visit("cost_delay", cost_delay);
+      if constexpr (C.path_left) visit("left", left);
+      if constexpr (C.path_above) visit("above", above);
+      visit("sum", sum);
+      visit("first", first);
+      visit("cost", cost);
+      visit("smallest_cost", smallest_cost);
+   }
+
+   HLS_INLINE void clock(const PathEntry<C>& entry) {
+      const bool move = entry.tag.valid;
+      add(move);
+      if constexpr (C.path_left) left.clock(move, smallest.root(), first[kLevels - 1], cost[0]);
+      if constexpr (C.path_above) above.clock(entry);
+      if constexpr (kHasSmallest) keep_costs(move, entry);
+      HLS_UNROLL
+      for (int age = kMoves - 1; age > 0; --age) first[age] = select<bool>(move, first[age - 1], first[age]);
+      first[0] = select<bool>(move, entry.tag.first_column, first[0]);
+   }
+
+  private:
+   HLS_INLINE void add(bool move) {
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d) {
+         ForwardSum<C> total = 0;
+         if constexpr (C.path_left) total = ForwardSum<C>(total + left.cost[d]);
+         if constexpr (C.path_above) total = ForwardSum<C>(total + above.cost[d]);
+         sum[d] = select<ForwardSum<C>>(move, total & kMask, sum[d]);
+      }
+   }
+
+   HLS_INLINE void keep_costs(bool move, const PathEntry<C>& entry) {
+      HLS_UNROLL
+      for (int age = kMoves - kLevels - 1; age > 0; --age)
+         smallest_cost[age] = select<PathCost<C>>(move, smallest_cost[age - 1], smallest_cost[age]);
+      smallest_cost[0] = select<PathCost<C>>(move, smallest.root(), smallest_cost[0]);
+      smallest.clock(entry.cost, move);
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d) {
+         HLS_UNROLL
+         for (int age = kCostMoves - 1; age > 0; --age)
+            cost[age][d] = select<PathCost<C>>(move, cost[age - 1][d], cost[age][d]);
+         cost[0][d] = select<PathCost<C>>(move, cost_delay.lane(d), cost[0][d]);
+      }
+      cost_delay.clock(entry.cost, move);
+   }
+
+   static constexpr ForwardSum<C> kMask = ForwardSum<C>((uint64_t(1) << bits_for(C.largest_forward_sum())) - 1);
+};
+
+}  // namespace stereo::semi_global

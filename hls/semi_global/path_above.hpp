@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/config.hpp"
+#include "semi_global/path_entry.hpp"
+#include "support/memory_bank.hpp"
+#include "support/minimum_tree.hpp"
+#include "support/move_delay.hpp"
+
+namespace stereo::semi_global {
+
+/// The path from above: K of the column that came in kMoves moves ago. Memory: map width x D x bits of P2, which hold
+/// what the row above passes on, and (levels + 1) x D x bits of a sum, LUT RAM.
+template <const Config& C>
+struct PathAbove {
+   static constexpr int kCount = C.disparities;
+   static constexpr int kWidth = C.output_width_px();
+   static constexpr int kStateBits = bits_for(C.p2);
+   static constexpr int kTotalBits = bits_for(C.largest_path_above());
+   using Pack = Packed<kStateBits, kCount>;
+   using State = typename Pack::Lane;
+   using Word = typename Pack::Word;
+   using Value = AbovePathValue<C>;
+   using Passed = uint_of_bits<bits_for(C.largest_path_above() + C.p1)>;
+   using Tree = MinimumTree<Value, kCount>;
+   using Delay = MoveDelay<kTotalBits, kCount, Tree::kLevels + 1>;
+   using Memory = MemoryBank<Word, kWidth, Pack::kWords>;
+   static constexpr int kMoves = 4 + Tree::kLevels;
+   static constexpr int kMemories = Memory::kMemories + Delay::kMemories;
+
+   Memory memory;
+   Word read_words[Pack::kWords];  // beside the entry's costs
+   // move 1
+   Word ready_words[Pack::kWords];
+   PathCost<C> ready_cost[kCount];
+   bool ready_top;
+   // move 2
+   Value total[kCount];
+   // then the tree, and the totals beside it
+   Tree tree;
+   Delay delay;
+   Value smallest;
+   // move kMoves
+   Value cost[kCount];  ///< K
+   // then what the row below gets
+   Value beside[kCount], own[kCount];  ///< the smaller of the neighbours' K; K
+   Passed step[kCount];
+   State stay[kCount];
+   bool comes[kMoves + 2];  ///< [j]: the column of j+1 moves ago is one of the map
+   uint16_t column[kMoves + 2];
+   Word write_words[Pack::kWords];
+   uint16_t write_column;
+
+   template <class Source, int First>
+   HLS_INLINE PathAbove(Source& memories, MemoryId<First> first)
+       : memory(memories, first), delay(memories, MemoryId<First + Memory::kMemories>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("read_words", read_words);
+      visit("ready_words", ready_words);
+      visit("ready_cost", ready_cost);
+      visit("ready_top", ready_top);
+      visit("total", total);
+      visit("tree", tree);
+      visit("delay", delay);
+      visit("smallest", smallest);
+      visit("cost", cost);
+      visit("beside", beside);
+      visit("own", own);
+      visit("step", step);
+      visit("stay", stay);
+      visit("comes", comes);
+      visit("column", column);
+      visit("write_words", write_words);
+      visit("write_column", write_column);
+   }
+
+   HLS_INLINE void clock(const PathEntry<C>& entry) {
+      const bool move = entry.tag.valid;
+      Word stored[Pack::kWords];
+      memory.read(entry.next_column, stored);
+      memory.write(write_column, write_words);
+      pass_on(move);
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d) cost[d] = select<Value>(move, Value(delay.lane(d) - smallest) & kMask, cost[d]);
+      smallest = select<Value>(move, tree.root(), smallest);
+      tree.clock(total, move);
+      delay.clock(total, move);
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d) {
+         const State from_above = select<State>(ready_top, C.p2, Pack::lane(ready_words, d));
+         total[d] = select<Value>(move, Value(from_above + ready_cost[d]), total[d]);
+         ready_cost[d] = select<PathCost<C>>(move, entry.cost[d], ready_cost[d]);
+      }
+      ready_top = select<bool>(move, entry.top, ready_top);
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) {
+         ready_words[w] = select<Word>(move, read_words[w], ready_words[w]);
+         read_words[w] = stored[w];
+      }
+      HLS_UNROLL
+      for (int j = kMoves + 1; j > 0; --j) comes[j] = select<bool>(move, comes[j - 1], comes[j]);
+      comes[0] = select<bool>(move, entry.tag.map_column, comes[0]);
+      HLS_UNROLL
+      for (int j = kMoves + 1; j > 0; --j) column[j] = select<uint16_t>(move, column[j - 1], column[j]);
+      column[0] = select<uint16_t>(move, entry.column, column[0]);
+   }
+
+  private:
+   static constexpr Value kMask = Value((uint64_t(1) << kTotalBits) - 1);
+
+   /// Three moves: neighbours, penalty, minimum.
+   HLS_INLINE void pass_on(bool move) {
+      State lanes[kCount];
+      Word packed[Pack::kWords];
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d) lanes[d] = State(select<Passed>(step[d] < stay[d], step[d], stay[d]));
+      Pack::pack(lanes, packed);
+      const bool writes = move && comes[kMoves + 1];
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) write_words[w] = select<Word>(writes, packed[w], write_words[w]);
+      write_column = select<uint16_t>(writes, column[kMoves + 1], write_column);
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d) {
+         step[d] = select<Passed>(move, Passed(beside[d] + C.p1), step[d]);
+         stay[d] = select<State>(move, State(select<Value>(own[d] > C.p2, C.p2, own[d])), stay[d]);
+         const Value smaller = smaller_of<Value>(cost[d > 0 ? d - 1 : 1], cost[d < kCount - 1 ? d + 1 : kCount - 2]);
+         beside[d] = select<Value>(move, smaller, beside[d]);
+         own[d] = select<Value>(move, cost[d], own[d]);
+      }
+   }
+};
+
+}  // namespace stereo::semi_global

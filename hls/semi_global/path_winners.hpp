@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/config.hpp"
+#include "winner/candidate.hpp"
+#include "winner/diagonal_minimum.hpp"
+#include "winner/winner_tree.hpp"
+
+namespace stereo::semi_global {
+
+/// The winner of the sums, and the other image's: what the checks of the winner ask of the last slice in block
+/// matching.
+template <const Config& C>
+struct PathWinners {
+   static constexpr int kLevels = winner_levels(C.disparities, C.winner_group);
+   static constexpr int kClocks = kLevels + 1;
+   using Other = DiagonalMinimum<kSumConfig<C>, (C.has_left_right_check() ? C.disparities : 1)>;
+   using Tree = WinnerTree<WindowCandidate<kSumConfig<C>>, PixelTag, 1, C.winner_group, C.disparities, kLevels>;
+
+   Other other;
+   Tree winner;
+   Candidates<WindowCandidate<kSumConfig<C>>, 1, 1> best;
+   PixelTag best_tag;
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.has_left_right_check()) visit.block("other", other);
+      winner.levels(visit);
+      visit("best", best);
+      visit("best_tag", best_tag);
+   }
+
+   template <class Sums>
+   HLS_INLINE void clock(const Sums& sums) {
+      best.set(0, 0, winner.root().best.get(0, 0));
+      best_tag = winner.root().tag;
+      winner.clock(sums.sum, sums.tag);
+      if constexpr (C.has_left_right_check()) other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>());
+   }
+};
+
+}  // namespace stereo::semi_global

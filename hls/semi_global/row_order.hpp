@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "frontend/pixel_tag.hpp"
+#include "support/registers.hpp"
+
+namespace stereo::semi_global {
+
+/// Where a memory of `Width` words holds the columns of a row, so that the row before comes out of it from its last
+/// column to its first while a row goes in: each column takes the place of the one that comes out. One row is written
+/// upward, the next one downward, and so on. 1 clock.
+template <int Width>
+struct RowOrder {
+   static constexpr int kClocks = 1;
+
+   uint16_t address;  ///< 0 ... Width-1: of the column that comes in
+   bool falls;        ///< addresses fall in this row
+   bool inside;       ///< the last column was one of the map
+   // Of the row that comes in.
+   bool complete;       ///< with its last column
+   bool output, first;  ///< the row is one of the map, its first one
+   // Of the row that comes out.
+   bool held_output, held_first;
+   PixelTag turned;  ///< the tag of the column that comes out
+
+   HLS_INLINE RowOrder() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("address", address);
+      visit("falls", falls);
+      visit("inside", inside);
+      visit("complete", complete);
+      visit("output", output);
+      visit("first", first);
+      visit("held_output", held_output);
+      visit("held_first", held_first);
+      visit("turned", turned);
+   }
+
+   /// A row that breaks off leaves words of two rows: it counts as none.
+   HLS_INLINE void clock(const PixelTag& in) {
+      const bool comes = in.valid && in.map_column;
+      const bool starts = comes && !inside;
+      const bool now_output = select<bool>(starts, complete && output, held_output);
+      const bool now_first = select<bool>(starts, first, held_first);
+      turned.valid = in.valid;
+      turned.map_column = in.map_column;
+      turned.output_column = in.map_column && now_output;
+      turned.first_column = starts;
+      turned.start_of_frame = starts && now_output && now_first;
+      turned.end_of_line = in.end_of_line;
+
+      const bool now_falls = falls != starts;
+      const uint16_t beside = select<uint16_t>(falls, uint16_t(address - 1), uint16_t(address + 1));
+      const uint16_t end = select<uint16_t>(now_falls, Width - 1, 0);
+      const uint16_t next = select<uint16_t>(starts, end, beside);
+      address = at_most<Width - 1>(select<uint16_t>(comes, next, address));
+      falls = now_falls;
+      held_output = now_output;
+      held_first = now_first;
+      output = select<bool>(starts, in.output_column, output);
+      first = select<bool>(starts, in.start_of_frame, first);
+      complete = select<bool>(comes, in.end_of_line, complete);
+      inside = select<bool>(in.valid, in.map_column, inside);
+   }
+};
+
+}  // namespace stereo::semi_global

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/config.hpp"
+#include "semi_global/forward_paths.hpp"
+#include "semi_global/path_entry.hpp"
+#include "support/memory_bank.hpp"
+#include "support/packed.hpp"
+
+namespace stereo::semi_global {
+
+/// Turns rows round for the path from the right: while a row comes in, the row before comes out from its last column to
+/// its first, with the sums of the forward paths, the costs and the smallest cost. Columns come out a row and kMoves
+/// moves later. Memory: map width x (D x (bits of a sum + bits of a cost) + bits of a cost).
+template <const Config& C>
+struct RowTurn {
+   static constexpr int kCount = C.disparities;
+   static constexpr int kWidth = C.output_width_px();
+   static constexpr int kMoves = 1;
+   using Forward = ForwardPaths<C>;
+   static constexpr bool kHasSums = C.path_left || C.path_above;
+   using Sums = Packed<bits_for(C.largest_forward_sum()), kCount>;
+   using Costs = Packed<C.cost_bits(), kCount>;
+   using SumMemory = MemoryBank<typename Sums::Word, kWidth, (kHasSums ? Sums::kWords : 0)>;
+   using CostMemory = MemoryBank<typename Costs::Word, kWidth, Costs::kWords>;
+   using SmallestMemory = MemoryBank<PathCost<C>, kWidth, 1>;
+   static constexpr int kMemories = SumMemory::kMemories + CostMemory::kMemories + 1;
+   /// The forward paths' sum is the register that is written: its place and its validity come as many moves later.
+   static constexpr int kWriteMoves = Forward::kMoves;
+   static_assert(kWriteMoves + 2 <= C.turn_columns(), "the last column must be there before it is read");
+
+   SumMemory sum_memory;
+   CostMemory cost_memory;
+   SmallestMemory smallest_memory;
+   // beside the entry's costs
+   typename Sums::Word read_sums[Sums::kWords];
+   typename Costs::Word read_costs[Costs::kWords];
+   PathCost<C> read_smallest[1];
+   // move 1
+   typename Sums::Word ready_sums[Sums::kWords];
+   typename Costs::Word ready_costs[Costs::kWords];
+   PathCost<C> ready_smallest[1];
+   bool ready_first;
+   // what is written
+   bool comes[kWriteMoves];  ///< [j]: the column of j+1 moves ago is one of the map
+   uint16_t place[kWriteMoves];
+   typename Sums::Word write_sums[Sums::kWords];
+   typename Costs::Word write_costs[Costs::kWords];
+   PathCost<C> write_smallest[1];
+   uint16_t write_place;
+
+   template <class Source, int First>
+   HLS_INLINE RowTurn(Source& memories, MemoryId<First> first)
+       : sum_memory(memories, first),
+         cost_memory(memories, MemoryId<First + SumMemory::kMemories>()),
+         smallest_memory(memories, MemoryId<First + SumMemory::kMemories + CostMemory::kMemories>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (kHasSums) visit("read_sums", read_sums);
+      visit("read_costs", read_costs);
+      visit("read_smallest", read_smallest);
+      if constexpr (kHasSums) visit("ready_sums", ready_sums);
+      visit("ready_costs", ready_costs);
+      visit("ready_smallest", ready_smallest);
+      visit("ready_first", ready_first);
+      visit("comes", comes);
+      visit("place", place);
+      if constexpr (kHasSums) visit("write_sums", write_sums);
+      visit("write_costs", write_costs);
+      visit("write_smallest", write_smallest);
+      visit("write_place", write_place);
+   }
+
+   HLS_INLINE void clock(const PathEntry<C>& entry, const Forward& forward) {
+      const bool move = entry.tag.valid;
+      typename Sums::Word sums[Sums::kWords];
+      typename Costs::Word costs[Costs::kWords];
+      PathCost<C> smallest[1];
+      if constexpr (kHasSums) sum_memory.read(entry.order.address, sums);
+      cost_memory.read(entry.order.address, costs);
+      smallest_memory.read(entry.order.address, smallest);
+      if constexpr (kHasSums) sum_memory.write(write_place, write_sums);
+      cost_memory.write(write_place, write_costs);
+      smallest_memory.write(write_place, write_smallest);
+      keep(move, forward);
+
+      if constexpr (kHasSums) {
+         HLS_UNROLL
+         for (int w = 0; w < Sums::kWords; ++w) {
+            ready_sums[w] = select<typename Sums::Word>(move, read_sums[w], ready_sums[w]);
+            read_sums[w] = sums[w];
+         }
+      }
+      HLS_UNROLL
+      for (int w = 0; w < Costs::kWords; ++w) {
+         ready_costs[w] = select<typename Costs::Word>(move, read_costs[w], ready_costs[w]);
+         read_costs[w] = costs[w];
+      }
+      ready_smallest[0] = select<PathCost<C>>(move, read_smallest[0], ready_smallest[0]);
+      read_smallest[0] = smallest[0];
+      ready_first = select<bool>(move, entry.turned.first_column, ready_first);
+
+      HLS_UNROLL
+      for (int j = kWriteMoves - 1; j > 0; --j) {
+         comes[j] = select<bool>(move, comes[j - 1], comes[j]);
+         place[j] = select<uint16_t>(move, place[j - 1], place[j]);
+      }
+      comes[0] = select<bool>(move, entry.tag.map_column, comes[0]);
+      place[0] = select<uint16_t>(move, entry.place, place[0]);
+   }
+
+  private:
+   HLS_INLINE void keep(bool move, const Forward& forward) {
+      const bool writes = move && comes[kWriteMoves - 1];
+      if constexpr (kHasSums) {
+         typename Sums::Lane lanes[kCount];
+         HLS_UNROLL
+         for (int d = 0; d < kCount; ++d) lanes[d] = forward.sum[d];
+         typename Sums::Word words[Sums::kWords];
+         Sums::pack(lanes, words);
+         HLS_UNROLL
+         for (int w = 0; w < Sums::kWords; ++w)
+            write_sums[w] = select<typename Sums::Word>(writes, words[w], write_sums[w]);
+      }
+      typename Costs::Word words[Costs::kWords];
+      Costs::pack(forward.cost[Forward::kCostMoves - 1], words);
+      HLS_UNROLL
+      for (int w = 0; w < Costs::kWords; ++w)
+         write_costs[w] = select<typename Costs::Word>(writes, words[w], write_costs[w]);
+      write_smallest[0] =
+          select<PathCost<C>>(writes, forward.smallest_cost[kWriteMoves - Forward::kLevels - 1], write_smallest[0]);
+      write_place = select<uint16_t>(writes, place[kWriteMoves - 1], write_place);
+   }
+};
+
+}  // namespace stereo::semi_global

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semi_global/config.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "semi_global/configurations.hpp"
+
+namespace stereo::test {
+namespace {
+
+using semi_global::Config;
+
+constexpr Config kGood{{.width_px = 40, .height_px = 12}, {.disparities = 12}, {}};
+
+std::string problem(void (*change)(Config&)) {
+   Config config = kGood;
+   change(config);
+   return config.problem().text;
+}
+
+TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
+   EXPECT_EQ(problem([](Config&) {}), "");
+   EXPECT_EQ(problem([](Config& c) { c.pixels_per_clock = 2; }), "the semi-global core takes one pixel pair a clock");
+   EXPECT_EQ(problem([](Config& c) { c.disparities = 7; }), "the disparity range must be 8 ... 256");
+   EXPECT_EQ(problem([](Config& c) { c.disparities = 10; }),
+             "the disparity range must leave 11 columns between the maps of two rows but leaves 9");
+   EXPECT_EQ(problem([](Config& c) { c.width_px = 12; }), "the image must be wider than the disparity range");
+   EXPECT_EQ(problem([](Config& c) { c.window_px = 32; }), "the matching window must be 2x2 ... 31x31 pixels");
+   EXPECT_EQ(problem([](Config& c) {
+                c.window_px = 1;
+                c.aggregation = Aggregation::recursive;
+             }),
+             "a single pixel has no recursive sum");
+   EXPECT_EQ(problem([](Config& c) { c.p1 = -1; }), "the penalty P1 is -1 but must be 0 ... 4095");
+   EXPECT_EQ(problem([](Config& c) { c.winner_group = 1; }),
+             "the number of candidates of a winner group is 1 but must be 2 ... 16");
+   EXPECT_EQ(problem([](Config& c) { c.path_left = c.path_right = c.path_above = false; }),
+             "at least one path must be on");
+}
+
+TEST(SemiGlobalConfig, AFewDisparitiesDoWhereTheyAreFar) {
+   EXPECT_EQ(problem([](Config& c) {
+                c.disparities = 8;
+                c.min_disparity = 3;
+             }),
+             "");
+}
+
+TEST(SemiGlobalConfig, TheMapHasAllCostColumns) {
+   EXPECT_EQ(kGood.output_width_px(), 29);
+   EXPECT_EQ(semi_global::configurations::sgm_450.output_width_px(), 450 - 63);
+}
+
+TEST(SemiGlobalConfig, FindsTheBitsOfThePaths) {
+   // Census 5x5, window 3x3, shift 4: costs up to 13. K and A: -(22 + 8) ... 2*13 + 5.
+   EXPECT_EQ(kGood.largest_cost(), 13);
+   EXPECT_EQ(kGood.row_path_bits(), 6);
+   EXPECT_EQ(kGood.largest_path_above(), 35);
+   EXPECT_EQ(kGood.largest_sum(), 2 * (32 + 13) + 35);
+   Config config = kGood;
+   config.p2 = 24;  // -(24 + 8) just fits
+   EXPECT_EQ(config.row_path_bits(), 6);
+   config.p2 = 25;
+   EXPECT_EQ(config.row_path_bits(), 7);
+   config.cost_cap = 10;
+   EXPECT_EQ(config.largest_cost(), 10);
+}
+
+}  // namespace
+}  // namespace stereo::test

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/semi_global/matching_input.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "definition/block_matching/matching_input.hpp"
+
+namespace stereo::semi_global {
+
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   if (const Sentence problem = matching.problem(); !problem.empty()) throw std::invalid_argument(problem.text);
+   block_matching::check_matching_input(left, right, matching.window_costs());
+}
+
+Matching mirrored(Matching matching) {
+   matching.reference = matching.reference == Reference::right ? Reference::left : Reference::right;
+   std::swap(matching.path_left, matching.path_right);
+   return matching;
+}
+
+int largest_path_cost(const Matching& matching) {
+   // A window beyond 2^16 pixels only counts those in the image, but is far above any cap.
+   const int64_t side = std::min(matching.window_px, 1 << 16);
+   const int64_t window_cost = block_matching::largest_pixel_cost(matching.window_costs()) * side * side;
+   return int(std::min<int64_t>(window_cost >> matching.cost_shift, matching.cost_cap));
+}
+
+int map_width(int width_px, const Matching& matching) {
+   return block_matching::cost_columns(width_px, matching.window_costs());
+}
+
+MapGeometry map_geometry(const Matching& matching, int image_width) {
+   MapGeometry geometry = block_matching::map_geometry(matching.window_costs(), image_width);
+   geometry.width = map_width(image_width, matching);
+   if (matching.reference == Reference::left) --geometry.first_column;  // the one that block matching leaves out
+   geometry.has_check = matching.has_check();
+   return geometry;
+}
+
+std::string describe(const Matching& matching) {
+   return block_matching::describe(matching.window_costs()) + ", P1 " + std::to_string(matching.p1) + ", P2 " +
+          std::to_string(matching.p2);
+}
+
+}  // namespace stereo::semi_global

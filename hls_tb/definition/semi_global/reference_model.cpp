@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/semi_global/reference_model.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "definition/block_matching/reference_model.hpp"
+#include "definition/mirror.hpp"
+#include "definition/semi_global/matching_input.hpp"
+
+namespace stereo::semi_global {
+namespace {
+
+/// The smaller of the values at d-1 and d+1; where one of them does not exist, the other.
+int smaller_neighbour(const std::vector<int>& values, int d) {
+   const int last = int(values.size()) - 1;
+   if (d == 0) return values[1];
+   if (d == last) return values[std::size_t(last) - 1];
+   return std::min(values[std::size_t(d) - 1], values[std::size_t(d) + 1]);
+}
+
+/// One row path, column after column.
+class RowPath {
+  public:
+   explicit RowPath(const Matching& matching)
+       : matching_(matching),
+         look_back_(matching.look_back_columns()),
+         cost_(std::size_t(matching.disparities)),
+         arrived_(cost_) {}
+
+   /// K of the next column: c is its costs.
+   const std::vector<int>& next(const std::vector<int>& c) {
+      const int smallest = *std::min_element(c.begin(), c.end());
+      start_.push_back(next_start());
+      const int g = smallest + start_.back();
+      const bool is_first = start_.size() == 1;
+      std::vector<int> cost(c), arrived(c);
+      for (int d = 0; d < int(c.size()); ++d) {
+         const std::size_t i = std::size_t(d);
+         const int stay = is_first ? 0 : std::min({0, cost_[i], arrived_[i]});
+         const int step = is_first ? 0 : smaller_neighbour(cost_, d);
+         cost[i] = c[i] - g + stay;
+         arrived[i] = c[i] - g + matching_.p1 + step;
+      }
+      cost_ = cost;
+      arrived_ = arrived;
+      lowest_.push_back(*std::min_element(cost.begin(), cost.end()));
+      return cost_;
+   }
+
+  private:
+   /// q(i)
+   int next_start() const {
+      const int i = int(start_.size());
+      if (i == 0) return matching_.p2;
+      if (i < look_back_) return 0;
+      int since = 0;
+      for (int j = i - look_back_ + 1; j < i; ++j) since += start_[std::size_t(j)];
+      return std::max(0, matching_.p2 + lowest_[std::size_t(i - look_back_)] - since);
+   }
+
+   const Matching& matching_;
+   int look_back_;
+   std::vector<int> cost_, arrived_;  ///< K and A of the last column
+   std::vector<int> start_, lowest_;  ///< q and the smallest K of all columns so far
+};
+
+std::vector<int> column_of(const CostVolume& volume, int x, int y) {
+   std::vector<int> values;
+   for (int d = 0; d < volume.disparities; ++d) values.push_back(volume.at(x, y, d));
+   return values;
+}
+
+}  // namespace
+
+CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   const CostVolume pixels = block_matching::pixel_costs(left, right, matching.window_costs());
+   CostVolume costs = all_window_sums(pixels, matching.window_px);
+   for (int& value : costs.values) value = std::min(value >> matching.cost_shift, matching.cost_cap);
+   return costs;
+}
+
+CostVolume row_path(const CostVolume& costs, RowDirection direction, const Matching& matching) {
+   CostVolume path(costs.width, costs.height, costs.disparities);
+   for (int y = 0; y < costs.height; ++y) {
+      RowPath row(matching);
+      for (int i = 0; i < costs.width; ++i) {
+         const int x = direction == RowDirection::from_left ? i : costs.width - 1 - i;
+         const std::vector<int>& cost = row.next(column_of(costs, x, y));
+         for (int d = 0; d < costs.disparities; ++d) path.at(x, y, d) = cost[std::size_t(d)];
+      }
+   }
+   return path;
+}
+
+CostVolume path_from_above(const CostVolume& costs, const Matching& matching) {
+   CostVolume path(costs.width, costs.height, costs.disparities);
+   for (int x = 0; x < costs.width; ++x) {
+      std::vector<int> from_above(std::size_t(costs.disparities), matching.p2);  // T(x,y,d)
+      for (int y = 0; y < costs.height; ++y) {
+         std::vector<int> total = column_of(costs, x, y);
+         for (std::size_t d = 0; d < total.size(); ++d) total[d] += from_above[d];
+         const int smallest = *std::min_element(total.begin(), total.end());
+         std::vector<int> bounded;
+         for (int d = 0; d < costs.disparities; ++d) {
+            path.at(x, y, d) = total[std::size_t(d)] - smallest;
+            bounded.push_back(std::min(path.at(x, y, d), matching.p2));
+         }
+         for (int d = 0; d < costs.disparities; ++d)
+            from_above[std::size_t(d)] = std::min(bounded[std::size_t(d)], smaller_neighbour(bounded, d) + matching.p1);
+      }
+   }
+   return path;
+}
+
+CostVolume path_sums(const CostVolume& costs, const Matching& matching) {
+   CostVolume sums(costs.width, costs.height, costs.disparities);
+   const auto add = [&sums](const CostVolume& path) {
+      std::transform(path.values.begin(), path.values.end(), sums.values.begin(), sums.values.begin(), std::plus<>());
+   };
+   if (matching.path_left) add(row_path(costs, RowDirection::from_left, matching));
+   if (matching.path_right) add(row_path(costs, RowDirection::from_right, matching));
+   if (matching.path_above) add(path_from_above(costs, matching));
+   return sums;
+}
+
+GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, int distance) {
+   GrayImage passes(sums.width, sums.height, 1);
+   for (int y = 0; y < passes.height; ++y)
+      for (int x = 0; x < passes.width; ++x) {
+         const int winner = winners.at(x, y), smallest = sums.at(x, y, winner);
+         for (int d = 0; d < sums.disparities; ++d)
+            if (std::abs(d - winner) > 1 && sums.at(x, y, d) - smallest < distance) passes.at(x, y) = 0;
+      }
+   return passes;
+}
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   if (matching.reference == Reference::left)
+      return mirrored(match_reference(mirrored(right), mirrored(left), mirrored(matching)));
+   const CostVolume sums = path_sums(path_costs(left, right, matching), matching);
+   const DisparityMap best = winners(sums, matching.ties);
+   DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
+   if (matching.median) map = median_filtered(map);
+
+   const auto keep = [&map](const GrayImage& passes) {
+      for (std::size_t i = 0; i < map.valid.size(); ++i) map.valid[i] = map.valid[i] && passes.pixels[i] ? 1 : 0;
+   };
+   if (matching.has_left_right_check())
+      keep(left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
+   if (matching.has_uniqueness_check()) keep(distance_check(sums, best, matching.uniqueness_distance));
+   return map;
+}
+
+}  // namespace stereo::semi_global

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/semi_global/fast_model.hpp"
+
+#include "definition/mirror.hpp"
+#include "definition/semi_global/matching_input.hpp"
+#include "engines/fast/median.hpp"
+#include "engines/fast/semi_global/path_matcher.hpp"
+
+namespace stereo::semi_global {
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   DisparityMap map =
+       matching.reference == Reference::right
+           ? match_paths(left, right, matching)
+           : stereo::mirrored(match_paths(stereo::mirrored(right), stereo::mirrored(left), mirrored(matching)));
+   if (matching.median) map = fast::median_3x3(map);
+   return map;
+}
+
+}  // namespace stereo::semi_global

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/semi_global/fast_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "definition/semi_global/models.hpp"
+#include "engines/option_values.hpp"
+#include "scene/random.hpp"
+#include "testing/map_compare.hpp"
+#include "testing/seed.hpp"
+#include "testing/test_pairs.hpp"
+
+namespace stereo::test {
+namespace {
+
+using semi_global::Matching;
+
+std::string text_of(const Matching& matching) {
+   std::string text;
+   for (const OptionValue& option : option_values(matching)) {
+      text += option.name + "=";
+      if (const int* number = std::get_if<int>(&option.value)) text += std::to_string(*number);
+      else if (const bool* flag = std::get_if<bool>(&option.value)) text += *flag ? "true" : "false";
+      else text += std::get<std::string>(option.value);
+      text += " ";
+   }
+   return text;
+}
+
+/// Any options that the models take, for images of this size.
+Matching random_options(Random& random, int width) {
+   Matching m{.disparities = 2 + random.below(random.percent(20) ? width - 2 : std::min(width - 2, 24))};
+   m.window_px = random.percent(60) ? 1 + random.below(4) : 1 + random.below(30);
+   if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
+   while (map_width(width, m) < 2) m.min_disparity /= 2;
+   m.reference = random.percent(50) ? Reference::left : Reference::right;
+   m.cost = random.percent(50) ? Cost::census : random.percent(80) ? Cost::sad : Cost::ssd;
+   m.census_width_px = 3 + 2 * random.below(4);
+   m.census_height_px = 3 + 2 * random.below(3);
+   if (m.cost != Cost::census && random.percent(40)) m.prefilter = Prefilter::xsobel;
+   m.prefilter_cap = 1 + random.below(63);
+   m.cost_shift = random.below(m.cost == Cost::census ? 6 : 17);
+   if (random.percent(50)) m.cost_cap = 1 + random.below(random.percent(60) ? 40 : 4095);
+   m.path_left = random.percent(80);
+   m.path_right = random.percent(80);
+   m.path_above = random.percent(80);
+   if (!m.path_left && !m.path_right) m.path_above = true;
+   m.p1 = random.below(random.percent(70) ? 12 : random.percent(70) ? 100 : 4096);
+   m.p2 = 1 + random.below(random.percent(70) ? 60 : random.percent(70) ? 300 : 4095);
+   m.ties = random.percent(50) ? Ties::largest : Ties::smallest;
+   if (random.percent(50)) m.left_right_threshold = random.below(std::min(m.disparities, 4));
+   if (random.percent(50)) m.uniqueness_distance = random.below(random.percent(80) ? 12 : 4096);
+   m.subpixel = random.percent(50);
+   m.median = random.percent(50);
+   return m;
+}
+
+TEST(SemiGlobalFastModel, EqualsTheReferenceWithAnyOptions) {
+   Random random(test_seed());
+   int partly_valid = 0;
+   for (int i = 0; i < 500; ++i) {
+      const int width = 3 + random.below(100), height = 1 + random.below(24);
+      const Matching matching = random_options(random, width);
+      ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const int kind = random.below(10);
+      if (kind == 0) pair = {GrayImage(width, height, 255), GrayImage(width, height, 0)};
+      if (kind == 1) pair = {GrayImage(width, height, 77), GrayImage(width, height, 77)};
+      if (kind > 6) pair = shifted_pair(width, height, random.below(width), test_seed() + uint64_t(i));
+      const DisparityMap expected = match_reference(pair.left, pair.right, matching);
+      ASSERT_TRUE(same_map(expected, match_fast(pair.left, pair.right, matching)))
+          << width << 'x' << height << ' ' << text_of(matching);
+      const auto valid = std::count(expected.valid.begin(), expected.valid.end(), 1);
+      partly_valid += valid > 0 && valid < std::ssize(expected.valid) ? 1 : 0;
+   }
+   EXPECT_GT(partly_valid, 80) << "or the checks have hardly been compared";
+}
+
+TEST(SemiGlobalFastModel, EqualsTheReferenceOnEveryKindOfPair) {
+   Random random(test_seed());
+   for (const NamedPair& pair : test_pairs(60, 14, 16, test_seed()))
+      for (int i = 0; i < 12; ++i) {
+         const Matching matching = random_options(random, 60);
+         ASSERT_TRUE(same_map(match_reference(pair.images.left, pair.images.right, matching),
+                              match_fast(pair.images.left, pair.images.right, matching)))
+             << pair.name << ' ' << text_of(matching);
+      }
+}
+
+/// Costs that are 0 or the largest drive the paths to their bounds, where lanes of 8 bits just fit and just do not.
+TEST(SemiGlobalFastModel, EqualsTheReferenceAtTheEndsOfTheLanes) {
+   for (const int p2 : {60, 61, 62, 63, 64, 65, 66, 90, 120, 127, 128, 129})
+      for (const int cap : {13, 30, 43, 63}) {
+         ImagePair pair = random_pair(90, 10, test_seed() + uint64_t(p2), 2);
+         for (GrayImage* image : {&pair.left, &pair.right})
+            for (uint8_t& pixel : image->pixels) pixel = uint8_t(pixel * 255);
+         const Matching matching{.disparities = 33,
+                                 .window_px = 1,
+                                 .cost = Cost::sad,
+                                 .cost_shift = 0,
+                                 .cost_cap = cap,
+                                 .p1 = p2 % 2,
+                                 .p2 = p2,
+                                 .left_right_threshold = 0,
+                                 .uniqueness_distance = 2};
+         EXPECT_TRUE(
+             same_map(match_reference(pair.left, pair.right, matching), match_fast(pair.left, pair.right, matching)))
+             << text_of(matching);
+      }
+}
+
+TEST(SemiGlobalFastModel, EqualsTheReferenceOnLargerImages) {
+   const ImagePair scene = random_pair(311, 60, test_seed(), 6);
+   for (const int disparities : {31, 32, 33, 64, 128, 256}) {
+      const Matching matching{.disparities = disparities, .left_right_threshold = 1, .subpixel = true, .median = true};
+      EXPECT_TRUE(
+          same_map(match_reference(scene.left, scene.right, matching), match_fast(scene.left, scene.right, matching)))
+          << disparities;
+   }
+}
+
+TEST(SemiGlobalFastModel, RejectsWhatTheReferenceRejects) {
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .p2 = 0}),
+                std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stereo::test

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/semi_global/pixel_rows.hpp"
+
+#include <algorithm>
+
+#include "definition/block_matching/matching_input.hpp"
+#include "engines/fast/census.hpp"
+#include "engines/fast/prefilter.hpp"
+
+namespace stereo::semi_global {
+namespace {
+
+/// Columns first ... first+count-1 of all rows.
+void copy_columns(const std::vector<uint8_t>& pixels, int width, int first, int count, std::vector<uint8_t>& to,
+                  int stride) {
+   const std::ptrdiff_t rows = std::ptrdiff_t(pixels.size()) / width;
+   to.resize(std::size_t(rows * stride));
+   for (std::ptrdiff_t y = 0; y < rows; ++y)
+      std::copy_n(pixels.begin() + y * width + first, count, to.begin() + y * stride);
+}
+
+}  // namespace
+
+PixelRows::PixelRows(const GrayImage& left_image, const GrayImage& right_image, const Matching& matching, int room)
+    : height(left_image.height),
+      columns(block_matching::cost_columns(left_image.width, matching.window_costs())),
+      left_stride(columns + matching.disparities - 1 + room),
+      right_stride(columns) {
+   const int width = left_image.width, first = block_matching::first_cost_column(matching.window_costs());
+   const int first_left = first + matching.min_disparity, left_count = columns + matching.disparities - 1;
+   const auto copy = [&](const std::vector<uint8_t>& left_pixels, const std::vector<uint8_t>& right_pixels) {
+      copy_columns(left_pixels, width, first_left, left_count, left, left_stride);
+      copy_columns(right_pixels, width, first, columns, right, right_stride);
+   };
+   if (matching.cost == Cost::census) {
+      const int census_width = matching.census_width_px, census_height = matching.census_height_px;
+      planes = (census_width * census_height - 1 + 7) / 8;
+      copy(fast::census_planes(left_image, census_width, census_height),
+           fast::census_planes(right_image, census_width, census_height));
+   } else if (matching.prefilter == Prefilter::xsobel) {
+      copy(fast::prefilter_xsobel(left_image, matching.prefilter_cap).pixels,
+           fast::prefilter_xsobel(right_image, matching.prefilter_cap).pixels);
+   } else {
+      copy(left_image.pixels, right_image.pixels);
+   }
+}
+
+}  // namespace stereo::semi_global
