@@ -1,0 +1,1402 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration study_w15_recursive: 96x64, 16 disparities, window 15x15, 1 pixel pairs a clock.
+-- Options: disparities 16, window_px 15, aggregation recursive, slice_disparities 8.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config study_w15_recursive
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_study_w15_recursive is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 96;
+    height_px : positive := 64;
+    disparities : positive := 16;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 80;
+    latency_clocks : positive := 18;
+    flush_groups : positive := 678;
+    gap_groups : positive := 672
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 96 report "stereo_core_study_w15_recursive: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert height_px = 64 report "stereo_core_study_w15_recursive: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
+  assert disparities = 16 report "stereo_core_study_w15_recursive: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_study_w15_recursive: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_study_w15_recursive: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 80 report "stereo_core_study_w15_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
+  assert latency_clocks = 18 report "stereo_core_study_w15_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert flush_groups = 678 report "stereo_core_study_w15_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 678" severity failure;
+  assert gap_groups = 672 report "stereo_core_study_w15_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 672" severity failure;
+end entity;
+
+architecture rtl of stereo_core_study_w15_recursive is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
+  signal raster_features_valid : boolean;
+  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
+  signal delay_ahead_0 : natural range 0 to 255;
+  signal delay_delayed_0 : unsigned(7 downto 0);
+  signal delay_column : natural range 0 to 127;
+  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
+  signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_2, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
+  signal rows_search_rows_ready_words_1, rows_search_rows_ready_words_2 : unsigned(31 downto 0);
+  signal rows_search_rows_write_words_0, rows_search_rows_write_words_1 : unsigned(31 downto 0);
+  signal rows_search_rows_write_words_2, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(31 downto 0);
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : unsigned(31 downto 0);
+  signal rows_reference_rows_ready_words_2, rows_reference_rows_write_words_0 : unsigned(31 downto 0);
+  signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_3, rows_reference_rows_read_words_3 : unsigned(23 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
+  signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_words_3, rows_search_rows_write_words_3 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_3, rows_reference_rows_write_words_3 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
+  signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
+  signal rows_read_tag_leaves_window, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_row_start, rows_ready_tag_first_group, rows_ready_tag_border_column : boolean;
+  signal rows_ready_tag_first_cost, rows_ready_tag_leaves_window, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_row_start : boolean;
+  signal rows_tag_first_group, rows_tag_border_column, rows_tag_first_cost, rows_tag_leaves_window : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
+  signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_1_0 : natural range 0 to 255;
+  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 255;
+  signal slice0shift_search_1_4, slice0shift_search_1_5, slice0shift_search_1_6 : natural range 0 to 255;
+  signal slice0shift_search_1_7, slice0shift_reference_0, slice0shift_reference_1 : natural range 0 to 255;
+  signal slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
+  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1 : integer range -255 to 255;
+  signal slice0cost_pixels_first_0_2, slice0cost_pixels_first_0_3 : integer range -255 to 255;
+  signal slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : integer range -255 to 255;
+  signal slice0cost_pixels_first_0_6, slice0cost_pixels_first_0_7 : integer range -255 to 255;
+  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1 : integer range -255 to 255;
+  signal slice0cost_pixels_first_1_2, slice0cost_pixels_first_1_3 : integer range -255 to 255;
+  signal slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : integer range -255 to 255;
+  signal slice0cost_pixels_first_1_6, slice0cost_pixels_first_1_7, slice0cost_change_0_0 : integer range -255 to 255;
+  signal slice0cost_change_0_1, slice0cost_change_0_2, slice0cost_change_0_3 : integer range -255 to 255;
+  signal slice0cost_change_0_4, slice0cost_change_0_5, slice0cost_change_0_6 : integer range -255 to 255;
+  signal slice0cost_change_0_7 : integer range -255 to 255;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
+  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_first_group, slice0cost_pixels_tag_border_column : boolean;
+  signal slice0cost_pixels_tag_first_cost, slice0cost_pixels_tag_leaves_window : boolean;
+  signal slice0cost_pixels_tag_output_column, slice0cost_pixels_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group : boolean;
+  signal slice0cost_ready_tag_border_column, slice0cost_ready_tag_first_cost : boolean;
+  signal slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_output_column : boolean;
+  signal slice0cost_ready_tag_start_of_frame, slice0cost_ready_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
+  signal slice0cost_tag_leaves_window, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 255;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 255;
+  signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_1_0 : natural range 0 to 255;
+  signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 255;
+  signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6 : natural range 0 to 255;
+  signal slice0cost_pixels_cost_1_7 : natural range 0 to 255;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 127;
+  signal slice0cost_write_column : natural range 0 to 127;
+  signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(23 downto 0);
+  signal slice0cost_read_words_3 : unsigned(23 downto 0);
+  signal slice0cost_ready_words_0, slice0cost_ready_words_1, slice0cost_ready_words_2 : natural range 0 to 16777215;
+  signal slice0cost_ready_words_3, slice0cost_write_words_0, slice0cost_write_words_1 : natural range 0 to 16777215;
+  signal slice0cost_write_words_2, slice0cost_write_words_3 : natural range 0 to 16777215;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 4095;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 4095;
+  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 4095;
+  -- slice0window
+  signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
+  signal slice0window_leaving_0, slice0window_leaving_1, slice0window_leaving_2 : unsigned(23 downto 0);
+  signal slice0window_leaving_3 : unsigned(23 downto 0);
+  signal slice0window_entering_0_0, slice0window_entering_0_1, slice0window_entering_0_2 : natural range 0 to 4095;
+  signal slice0window_entering_0_3, slice0window_entering_0_4, slice0window_entering_0_5 : natural range 0 to 4095;
+  signal slice0window_entering_0_6, slice0window_entering_0_7 : natural range 0 to 4095;
+  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_cost : boolean;
+  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
+  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
+  signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
+  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
+  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_2 : boolean;
+  signal slice0window_centre_start_of_frame_3, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -4095 to 4095;
+  signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -4095 to 4095;
+  signal slice0window_change_0_6, slice0window_change_0_7 : integer range -4095 to 4095;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 65535;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 65535;
+  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 65535;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 65535;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 65535;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0 : natural range 0 to 65535;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0 : natural range 0 to 65535;
+  signal slice0_best_index_0_0 : natural range 0 to 15;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 255;
+  signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_1_0 : natural range 0 to 255;
+  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 255;
+  signal slice1shift_search_1_4, slice1shift_search_1_5, slice1shift_search_1_6 : natural range 0 to 255;
+  signal slice1shift_search_1_7, slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1 : integer range -255 to 255;
+  signal slice1cost_pixels_first_0_2, slice1cost_pixels_first_0_3 : integer range -255 to 255;
+  signal slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : integer range -255 to 255;
+  signal slice1cost_pixels_first_0_6, slice1cost_pixels_first_0_7 : integer range -255 to 255;
+  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1 : integer range -255 to 255;
+  signal slice1cost_pixels_first_1_2, slice1cost_pixels_first_1_3 : integer range -255 to 255;
+  signal slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : integer range -255 to 255;
+  signal slice1cost_pixels_first_1_6, slice1cost_pixels_first_1_7, slice1cost_change_0_0 : integer range -255 to 255;
+  signal slice1cost_change_0_1, slice1cost_change_0_2, slice1cost_change_0_3 : integer range -255 to 255;
+  signal slice1cost_change_0_4, slice1cost_change_0_5, slice1cost_change_0_6 : integer range -255 to 255;
+  signal slice1cost_change_0_7 : integer range -255 to 255;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_0_6, slice1cost_pixels_cost_0_7, slice1cost_pixels_cost_1_0 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5, slice1cost_pixels_cost_1_6 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_1_7 : natural range 0 to 255;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 127;
+  signal slice1cost_write_column : natural range 0 to 127;
+  signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(23 downto 0);
+  signal slice1cost_read_words_3 : unsigned(23 downto 0);
+  signal slice1cost_ready_words_0, slice1cost_ready_words_1, slice1cost_ready_words_2 : natural range 0 to 16777215;
+  signal slice1cost_ready_words_3, slice1cost_write_words_0, slice1cost_write_words_1 : natural range 0 to 16777215;
+  signal slice1cost_write_words_2, slice1cost_write_words_3 : natural range 0 to 16777215;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 4095;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 4095;
+  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 4095;
+  -- slice1window
+  signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 15;
+  signal slice1window_leaving_0, slice1window_leaving_1, slice1window_leaving_2 : unsigned(23 downto 0);
+  signal slice1window_leaving_3 : unsigned(23 downto 0);
+  signal slice1window_entering_0_0, slice1window_entering_0_1, slice1window_entering_0_2 : natural range 0 to 4095;
+  signal slice1window_entering_0_3, slice1window_entering_0_4, slice1window_entering_0_5 : natural range 0 to 4095;
+  signal slice1window_entering_0_6, slice1window_entering_0_7 : natural range 0 to 4095;
+  signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -4095 to 4095;
+  signal slice1window_change_0_3, slice1window_change_0_4, slice1window_change_0_5 : integer range -4095 to 4095;
+  signal slice1window_change_0_6, slice1window_change_0_7 : integer range -4095 to 4095;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 65535;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 65535;
+  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 65535;
+  signal slice1window_centre_output_column_0, slice1window_centre_output_column_1 : boolean;
+  signal slice1window_centre_output_column_2, slice1window_centre_output_column_3 : boolean;
+  signal slice1window_centre_output_column_4, slice1window_centre_output_column_5 : boolean;
+  signal slice1window_centre_start_of_frame_0, slice1window_centre_start_of_frame_3 : boolean;
+  signal slice1window_centre_start_of_frame_4, slice1window_centre_start_of_frame_5 : boolean;
+  signal slice1window_centre_end_of_line_0, slice1window_centre_end_of_line_1 : boolean;
+  signal slice1window_centre_end_of_line_2, slice1window_centre_end_of_line_3 : boolean;
+  signal slice1window_centre_end_of_line_4, slice1window_centre_end_of_line_5 : boolean;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 65535;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 65535;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0 : natural range 0 to 65535;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  -- slice1
+  signal slice1_best_index_0_0 : natural range 0 to 15;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  disparity <= std_logic_vector(to_unsigned(slice1_best_index_0_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(1, 1));
+  disparity_valid <= as_bit(slice1_best_tag_valid and slice1_best_tag_output_column);
+  disparity_start_of_frame <= as_bit(slice1_best_tag_start_of_frame and slice1_best_tag_valid and slice1_best_tag_output_column);
+  disparity_end_of_line <= as_bit(slice1_best_tag_end_of_line and slice1_best_tag_valid and slice1_best_tag_output_column);
+
+  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_7, 12) & to_unsigned(slice1cost_column_0_6, 12);
+  slice1window_leaving_3_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+
+  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_5, 12) & to_unsigned(slice1cost_column_0_4, 12);
+  slice1window_leaving_2_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+
+  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_3, 12) & to_unsigned(slice1cost_column_0_2, 12);
+  slice1window_leaving_1_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+
+  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 12) & to_unsigned(slice1cost_column_0_0, 12);
+  slice1window_leaving_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+
+  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 24);
+  slice1cost_read_words_3_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_3_memory_write_data);
+
+  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 24);
+  slice1cost_read_words_2_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_2_memory_write_data);
+
+  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 24);
+  slice1cost_read_words_1_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+
+  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 24);
+  slice1cost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+
+  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_7, 12) & to_unsigned(slice0cost_column_0_6, 12);
+  slice0window_leaving_3_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+
+  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_5, 12) & to_unsigned(slice0cost_column_0_4, 12);
+  slice0window_leaving_2_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+
+  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_3, 12) & to_unsigned(slice0cost_column_0_2, 12);
+  slice0window_leaving_1_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+
+  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 12) & to_unsigned(slice0cost_column_0_0, 12);
+  slice0window_leaving_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+
+  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 24);
+  slice0cost_read_words_3_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_3_memory_write_data);
+
+  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 24);
+  slice0cost_read_words_2_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_2_memory_write_data);
+
+  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 24);
+  slice0cost_read_words_1_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+
+  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
+  slice0cost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+
+  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 24);
+  rows_search_rows_read_words_3_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_3,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_3_memory_write_data);
+
+  rows_search_rows_read_words_2_memory_write_data <= rows_search_rows_write_words_2;
+  rows_search_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 96, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_2,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+
+  rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 96, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 96, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 24);
+  rows_reference_rows_read_words_3_memory : entity work.line_memory
+    generic map (depth => 96, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_3,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_3_memory_write_data);
+
+  rows_reference_rows_read_words_2_memory_write_data <= rows_reference_rows_write_words_2;
+  rows_reference_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 96, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 96, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 96, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
+    variable slice0winner1_best_cost_0_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
+    variable slice1winner1_best_cost_0_2_is_less, slice1winner1_best_cost_0_3_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_0_1_is_less : boolean;
+    variable slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_3_choice, slice0cost_column_0_3_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_4_choice, slice0cost_column_0_4_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_5_choice, slice0cost_column_0_5_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_6_choice, slice0cost_column_0_6_choice_2 : natural range 0 to 4095;
+    variable slice0cost_column_0_7_choice, slice0cost_column_0_7_choice_2 : natural range 0 to 4095;
+    variable slice0window_change_0_0_choice, slice0window_change_0_1_choice : natural range 0 to 4095;
+    variable slice0window_change_0_2_choice, slice0window_change_0_3_choice : natural range 0 to 4095;
+    variable slice0window_change_0_4_choice, slice0window_change_0_5_choice : natural range 0 to 4095;
+    variable slice0window_change_0_6_choice, slice0window_change_0_7_choice : natural range 0 to 4095;
+    variable slice1cost_column_0_0_choice, slice1cost_column_0_0_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_1_choice, slice1cost_column_0_1_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_2_choice, slice1cost_column_0_2_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_3_choice, slice1cost_column_0_3_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_4_choice, slice1cost_column_0_4_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_5_choice, slice1cost_column_0_5_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_6_choice, slice1cost_column_0_6_choice_2 : natural range 0 to 4095;
+    variable slice1cost_column_0_7_choice, slice1cost_column_0_7_choice_2 : natural range 0 to 4095;
+    variable slice1window_change_0_0_choice, slice1window_change_0_1_choice : natural range 0 to 4095;
+    variable slice1window_change_0_2_choice, slice1window_change_0_3_choice : natural range 0 to 4095;
+    variable slice1window_change_0_4_choice, slice1window_change_0_5_choice : natural range 0 to 4095;
+    variable slice1window_change_0_6_choice, slice1window_change_0_7_choice : natural range 0 to 4095;
+    variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 65535;
+    variable slice0window_sum_0_2_choice, slice0window_sum_0_3_choice : natural range 0 to 65535;
+    variable slice0window_sum_0_4_choice, slice0window_sum_0_5_choice : natural range 0 to 65535;
+    variable slice0window_sum_0_6_choice, slice0window_sum_0_7_choice : natural range 0 to 65535;
+    variable slice1window_sum_0_0_choice, slice1window_sum_0_1_choice : natural range 0 to 65535;
+    variable slice1window_sum_0_2_choice, slice1window_sum_0_3_choice : natural range 0 to 65535;
+    variable slice1window_sum_0_4_choice, slice1window_sum_0_5_choice : natural range 0 to 65535;
+    variable slice1window_sum_0_6_choice, slice1window_sum_0_7_choice : natural range 0 to 65535;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 95;
+      raster_features_search_0 <= in_left_pixel;
+      raster_features_reference_0 <= in_right_pixel;
+      raster_features_valid <= in_valid;
+      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
+        as_number(((raster_place_group /= 71) and raster_place_group_is_equal and in_valid))) mod 128;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
+          mod 128;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_tag_first_cost_is_equal := raster_place_column = 15;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= ((raster_place_group + 65521) mod 65536) < 64;
+      delay_row_inside_1 <= not ((raster_place_group / 64) = 1);
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_row_start <= raster_place_column = 0;
+      delay_tag_first_group <= raster_place_group = 0;
+      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag_leaves_window <= (((((raster_place_column / 2) + 32753) mod 32768) * 2) + (raster_place_column mod 2))
+        < 65513;
+      delay_tag_output_column <= (((raster_place_group + 65529) mod 65536) < 64) and (((raster_place_column + 65521)
+        mod 65536) < 80);
+      delay_tag_start_of_frame <= (raster_place_group = 7) and delay_tag_first_cost_is_equal;
+      delay_tag_end_of_line <= raster_place_column = 94;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
+      rows_search_rows_ready_words_1 <= rows_search_rows_read_words_1;
+      rows_search_rows_ready_words_2 <= rows_search_rows_read_words_2;
+      rows_search_rows_ready_words_3 <= to_integer(rows_search_rows_read_words_3);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
+      rows_reference_rows_ready_words_1 <= rows_reference_rows_read_words_1;
+      rows_reference_rows_ready_words_2 <= rows_reference_rows_read_words_2;
+      rows_reference_rows_ready_words_3 <= to_integer(rows_reference_rows_read_words_3);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_row_start <= delay_tag_row_start;
+      rows_read_tag_first_group <= delay_tag_first_group;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_first_cost <= delay_tag_first_cost;
+      rows_read_tag_leaves_window <= delay_tag_leaves_window;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_row_start <= rows_read_tag_row_start;
+      rows_ready_tag_first_group <= rows_read_tag_first_group;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
+      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
+      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_row_start <= rows_ready_tag_row_start;
+      rows_tag_first_group <= rows_ready_tag_first_group;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_first_cost <= rows_ready_tag_first_cost;
+      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1(7 downto 0) &
+          rows_search_rows_ready_words_0(31 downto 8);
+        rows_search_rows_write_words_1 <= rows_search_rows_ready_words_2(7 downto 0) &
+          rows_search_rows_ready_words_1(31 downto 8);
+        rows_search_rows_write_words_2 <= to_unsigned((rows_search_rows_ready_words_3 mod 256), 8) &
+          rows_search_rows_ready_words_2(31 downto 8);
+        rows_search_rows_write_words_3 <= (rows_search_rows_ready_newest_0 * 65536) + ((rows_search_rows_ready_words_3
+          / 65536) * 256) + ((rows_search_rows_ready_words_3 mod 65536) / 256);
+        rows_reference_rows_write_words_0 <= rows_reference_rows_ready_words_1(7 downto 0) &
+          rows_reference_rows_ready_words_0(31 downto 8);
+        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_words_2(7 downto 0) &
+          rows_reference_rows_ready_words_1(31 downto 8);
+        rows_reference_rows_write_words_2 <= to_unsigned((rows_reference_rows_ready_words_3 mod 256), 8) &
+          rows_reference_rows_ready_words_2(31 downto 8);
+        rows_reference_rows_write_words_3 <= (rows_reference_rows_ready_newest_0 * 65536) +
+          ((rows_reference_rows_ready_words_3 / 65536) * 256) + ((rows_reference_rows_ready_words_3 mod 65536) / 256);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= slice0shift_search_0_3;
+        slice0shift_search_0_3 <= slice0shift_search_0_4;
+        slice0shift_search_0_4 <= slice0shift_search_0_5;
+        slice0shift_search_0_5 <= slice0shift_search_0_6;
+        slice0shift_search_0_6 <= slice0shift_search_0_7;
+        slice0shift_search_0_7 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= slice0shift_search_1_3;
+        slice0shift_search_1_3 <= slice0shift_search_1_4;
+        slice0shift_search_1_4 <= slice0shift_search_1_5;
+        slice0shift_search_1_5 <= slice0shift_search_1_6;
+        slice0shift_search_1_6 <= slice0shift_search_1_7;
+        slice0shift_search_1_7 <= rows_search_1;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_row_start <= rows_tag_row_start;
+      slice0shift_tag_first_group <= rows_tag_first_group;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 4096;
+      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
+        slice0cost_column_0_0_choice) mod 4096;
+      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 4096;
+      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
+        slice0cost_column_0_1_choice) mod 4096;
+      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 4096;
+      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
+        slice0cost_column_0_2_choice) mod 4096;
+      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 4096;
+      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
+        slice0cost_column_0_3_choice) mod 4096;
+      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 mod 4096;
+      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
+        slice0cost_column_0_4_choice) mod 4096;
+      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 / 4096;
+      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
+        slice0cost_column_0_5_choice) mod 4096;
+      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 mod 4096;
+      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
+        slice0cost_column_0_6_choice) mod 4096;
+      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 / 4096;
+      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
+        slice0cost_column_0_7_choice) mod 4096;
+      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
+      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
+      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= (folded(slice0cost_pixels_first_0_0) + as_number((slice0cost_pixels_first_0_0 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_1 <= (folded(slice0cost_pixels_first_0_1) + as_number((slice0cost_pixels_first_0_1 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_2 <= (folded(slice0cost_pixels_first_0_2) + as_number((slice0cost_pixels_first_0_2 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_3 <= (folded(slice0cost_pixels_first_0_3) + as_number((slice0cost_pixels_first_0_3 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_4 <= (folded(slice0cost_pixels_first_0_4) + as_number((slice0cost_pixels_first_0_4 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_5 <= (folded(slice0cost_pixels_first_0_5) + as_number((slice0cost_pixels_first_0_5 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_6 <= (folded(slice0cost_pixels_first_0_6) + as_number((slice0cost_pixels_first_0_6 <
+        0))) mod 256;
+      slice0cost_pixels_cost_0_7 <= (folded(slice0cost_pixels_first_0_7) + as_number((slice0cost_pixels_first_0_7 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_0 <= (folded(slice0cost_pixels_first_1_0) + as_number((slice0cost_pixels_first_1_0 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_1 <= (folded(slice0cost_pixels_first_1_1) + as_number((slice0cost_pixels_first_1_1 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_2 <= (folded(slice0cost_pixels_first_1_2) + as_number((slice0cost_pixels_first_1_2 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_3 <= (folded(slice0cost_pixels_first_1_3) + as_number((slice0cost_pixels_first_1_3 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_4 <= (folded(slice0cost_pixels_first_1_4) + as_number((slice0cost_pixels_first_1_4 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_5 <= (folded(slice0cost_pixels_first_1_5) + as_number((slice0cost_pixels_first_1_5 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_6 <= (folded(slice0cost_pixels_first_1_6) + as_number((slice0cost_pixels_first_1_6 <
+        0))) mod 256;
+      slice0cost_pixels_cost_1_7 <= (folded(slice0cost_pixels_first_1_7) + as_number((slice0cost_pixels_first_1_7 <
+        0))) mod 256;
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
+      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_change_0_0 <= slice0cost_pixels_cost_1_0 - slice0cost_pixels_cost_0_0;
+      slice0cost_change_0_1 <= slice0cost_pixels_cost_1_1 - slice0cost_pixels_cost_0_1;
+      slice0cost_change_0_2 <= slice0cost_pixels_cost_1_2 - slice0cost_pixels_cost_0_2;
+      slice0cost_change_0_3 <= slice0cost_pixels_cost_1_3 - slice0cost_pixels_cost_0_3;
+      slice0cost_change_0_4 <= slice0cost_pixels_cost_1_4 - slice0cost_pixels_cost_0_4;
+      slice0cost_change_0_5 <= slice0cost_pixels_cost_1_5 - slice0cost_pixels_cost_0_5;
+      slice0cost_change_0_6 <= slice0cost_pixels_cost_1_6 - slice0cost_pixels_cost_0_6;
+      slice0cost_change_0_7 <= slice0cost_pixels_cost_1_7 - slice0cost_pixels_cost_0_7;
+      slice0cost_ready_words_0 <= to_integer(slice0cost_read_words_0);
+      slice0cost_ready_words_1 <= to_integer(slice0cost_read_words_1);
+      slice0cost_ready_words_2 <= to_integer(slice0cost_read_words_2);
+      slice0cost_ready_words_3 <= to_integer(slice0cost_read_words_3);
+      slice0cost_ready_column <= slice0cost_change_column;
+      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
+      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
+      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= slice0cost_column_0_0_choice_2;
+      slice0cost_column_0_1 <= slice0cost_column_0_1_choice_2;
+      slice0cost_column_0_2 <= slice0cost_column_0_2_choice_2;
+      slice0cost_column_0_3 <= slice0cost_column_0_3_choice_2;
+      slice0cost_column_0_4 <= slice0cost_column_0_4_choice_2;
+      slice0cost_column_0_5 <= slice0cost_column_0_5_choice_2;
+      slice0cost_column_0_6 <= slice0cost_column_0_6_choice_2;
+      slice0cost_column_0_7 <= slice0cost_column_0_7_choice_2;
+      slice0cost_write_column <= slice0cost_ready_column;
+      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
+      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
+      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
+      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
+      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
+      if slice0shift_tag_valid then
+        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 128;
+      end if;
+      if slice0cost_pixels_first_tag_valid then
+        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
+          mod 128;
+      end if;
+      if slice0cost_ready_tag_valid then
+        slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 4096) + slice0cost_column_0_0_choice_2;
+        slice0cost_write_words_1 <= (slice0cost_column_0_3_choice_2 * 4096) + slice0cost_column_0_2_choice_2;
+        slice0cost_write_words_2 <= (slice0cost_column_0_5_choice_2 * 4096) + slice0cost_column_0_4_choice_2;
+        slice0cost_write_words_3 <= (slice0cost_column_0_7_choice_2 * 4096) + slice0cost_column_0_6_choice_2;
+      end if;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 15 else
+          (slice0window_ring_read_address + 1) mod 16;
+        slice0window_ring_write_address <= slice0window_ring_read_address;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(23 downto 12));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_1(11 downto 0));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_3_choice := to_integer(slice0window_leaving_1(23 downto 12));
+      else
+        slice0window_change_0_3_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_4_choice := to_integer(slice0window_leaving_2(11 downto 0));
+      else
+        slice0window_change_0_4_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_5_choice := to_integer(slice0window_leaving_2(23 downto 12));
+      else
+        slice0window_change_0_5_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_6_choice := to_integer(slice0window_leaving_3(11 downto 0));
+      else
+        slice0window_change_0_6_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_7_choice := to_integer(slice0window_leaving_3(23 downto 12));
+      else
+        slice0window_change_0_7_choice := 0;
+      end if;
+      slice0window_entering_0_0 <= slice0cost_column_0_0;
+      slice0window_entering_0_1 <= slice0cost_column_0_1;
+      slice0window_entering_0_2 <= slice0cost_column_0_2;
+      slice0window_entering_0_3 <= slice0cost_column_0_3;
+      slice0window_entering_0_4 <= slice0cost_column_0_4;
+      slice0window_entering_0_5 <= slice0cost_column_0_5;
+      slice0window_entering_0_6 <= slice0cost_column_0_6;
+      slice0window_entering_0_7 <= slice0cost_column_0_7;
+      slice0window_entering_tag_valid <= slice0cost_tag_valid;
+      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
+      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
+      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
+      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
+      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_change_0_0 <= slice0window_entering_0_0 - slice0window_change_0_0_choice;
+      slice0window_change_0_1 <= slice0window_entering_0_1 - slice0window_change_0_1_choice;
+      slice0window_change_0_2 <= slice0window_entering_0_2 - slice0window_change_0_2_choice;
+      slice0window_change_0_3 <= slice0window_entering_0_3 - slice0window_change_0_3_choice;
+      slice0window_change_0_4 <= slice0window_entering_0_4 - slice0window_change_0_4_choice;
+      slice0window_change_0_5 <= slice0window_entering_0_5 - slice0window_change_0_5_choice;
+      slice0window_change_0_6 <= slice0window_entering_0_6 - slice0window_change_0_6_choice;
+      slice0window_change_0_7 <= slice0window_entering_0_7 - slice0window_change_0_7_choice;
+      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
+      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
+      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
+      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
+      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
+      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
+      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
+      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
+      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
+      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
+      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
+      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
+      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
+      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
+      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
+      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
+      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
+      if slice0window_change_tag_valid then
+        slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 65536;
+        slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 65536;
+        slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 65536;
+        slice0window_sum_0_3 <= (slice0window_sum_0_3_choice + slice0window_change_0_3) mod 65536;
+        slice0window_sum_0_4 <= (slice0window_sum_0_4_choice + slice0window_change_0_4) mod 65536;
+        slice0window_sum_0_5 <= (slice0window_sum_0_5_choice + slice0window_change_0_5) mod 65536;
+        slice0window_sum_0_6 <= (slice0window_sum_0_6_choice + slice0window_change_0_6) mod 65536;
+        slice0window_sum_0_7 <= (slice0window_sum_0_7_choice + slice0window_change_0_7) mod 65536;
+      end if;
+      if slice0window_tag_valid then
+        slice0window_centre_start_of_frame_2 <= slice1window_centre_start_of_frame_0;
+        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
+        slice0window_tag_output_column <= slice1window_centre_output_column_5;
+        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_5;
+        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_5;
+      end if;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
+        slice0window_sum_0_6;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_cost_0_2;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+        slice0winner1_best_index_0_2;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice1shift_search_0_3;
+        slice1shift_search_0_3 <= slice1shift_search_0_4;
+        slice1shift_search_0_4 <= slice1shift_search_0_5;
+        slice1shift_search_0_5 <= slice1shift_search_0_6;
+        slice1shift_search_0_6 <= slice1shift_search_0_7;
+        slice1shift_search_0_7 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice1shift_search_1_3;
+        slice1shift_search_1_3 <= slice1shift_search_1_4;
+        slice1shift_search_1_4 <= slice1shift_search_1_5;
+        slice1shift_search_1_5 <= slice1shift_search_1_6;
+        slice1shift_search_1_6 <= slice1shift_search_1_7;
+        slice1shift_search_1_7 <= slice0shift_search_out_1;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      -- slice1cost
+      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 4096;
+      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
+        slice1cost_column_0_0_choice) mod 4096;
+      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 4096;
+      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
+        slice1cost_column_0_1_choice) mod 4096;
+      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 4096;
+      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
+        slice1cost_column_0_2_choice) mod 4096;
+      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 4096;
+      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
+        slice1cost_column_0_3_choice) mod 4096;
+      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 4096;
+      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
+        slice1cost_column_0_4_choice) mod 4096;
+      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 4096;
+      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
+        slice1cost_column_0_5_choice) mod 4096;
+      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 4096;
+      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
+        slice1cost_column_0_6_choice) mod 4096;
+      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 4096;
+      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
+        slice1cost_column_0_7_choice) mod 4096;
+      slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_5 <= slice1shift_search_0_5 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_6 <= slice1shift_search_0_6 - slice1shift_reference_0;
+      slice1cost_pixels_first_0_7 <= slice1shift_search_0_7 - slice1shift_reference_0;
+      slice1cost_pixels_first_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_5 <= slice1shift_search_1_5 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_6 <= slice1shift_search_1_6 - slice1shift_reference_1;
+      slice1cost_pixels_first_1_7 <= slice1shift_search_1_7 - slice1shift_reference_1;
+      slice1cost_pixels_cost_0_0 <= (folded(slice1cost_pixels_first_0_0) + as_number((slice1cost_pixels_first_0_0 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_1 <= (folded(slice1cost_pixels_first_0_1) + as_number((slice1cost_pixels_first_0_1 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_2 <= (folded(slice1cost_pixels_first_0_2) + as_number((slice1cost_pixels_first_0_2 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_3 <= (folded(slice1cost_pixels_first_0_3) + as_number((slice1cost_pixels_first_0_3 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_4 <= (folded(slice1cost_pixels_first_0_4) + as_number((slice1cost_pixels_first_0_4 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_5 <= (folded(slice1cost_pixels_first_0_5) + as_number((slice1cost_pixels_first_0_5 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_6 <= (folded(slice1cost_pixels_first_0_6) + as_number((slice1cost_pixels_first_0_6 <
+        0))) mod 256;
+      slice1cost_pixels_cost_0_7 <= (folded(slice1cost_pixels_first_0_7) + as_number((slice1cost_pixels_first_0_7 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_0 <= (folded(slice1cost_pixels_first_1_0) + as_number((slice1cost_pixels_first_1_0 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_1 <= (folded(slice1cost_pixels_first_1_1) + as_number((slice1cost_pixels_first_1_1 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_2 <= (folded(slice1cost_pixels_first_1_2) + as_number((slice1cost_pixels_first_1_2 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_3 <= (folded(slice1cost_pixels_first_1_3) + as_number((slice1cost_pixels_first_1_3 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_4 <= (folded(slice1cost_pixels_first_1_4) + as_number((slice1cost_pixels_first_1_4 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_5 <= (folded(slice1cost_pixels_first_1_5) + as_number((slice1cost_pixels_first_1_5 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_6 <= (folded(slice1cost_pixels_first_1_6) + as_number((slice1cost_pixels_first_1_6 <
+        0))) mod 256;
+      slice1cost_pixels_cost_1_7 <= (folded(slice1cost_pixels_first_1_7) + as_number((slice1cost_pixels_first_1_7 <
+        0))) mod 256;
+      slice1cost_read_column <= slice0cost_read_column;
+      slice1cost_change_column <= slice1cost_read_column;
+      slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
+      slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
+      slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
+      slice1cost_change_0_3 <= slice1cost_pixels_cost_1_3 - slice1cost_pixels_cost_0_3;
+      slice1cost_change_0_4 <= slice1cost_pixels_cost_1_4 - slice1cost_pixels_cost_0_4;
+      slice1cost_change_0_5 <= slice1cost_pixels_cost_1_5 - slice1cost_pixels_cost_0_5;
+      slice1cost_change_0_6 <= slice1cost_pixels_cost_1_6 - slice1cost_pixels_cost_0_6;
+      slice1cost_change_0_7 <= slice1cost_pixels_cost_1_7 - slice1cost_pixels_cost_0_7;
+      slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
+      slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
+      slice1cost_ready_words_2 <= to_integer(slice1cost_read_words_2);
+      slice1cost_ready_words_3 <= to_integer(slice1cost_read_words_3);
+      slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
+      slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
+      slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
+      slice1cost_column_0_3 <= slice1cost_column_0_3_choice_2;
+      slice1cost_column_0_4 <= slice1cost_column_0_4_choice_2;
+      slice1cost_column_0_5 <= slice1cost_column_0_5_choice_2;
+      slice1cost_column_0_6 <= slice1cost_column_0_6_choice_2;
+      slice1cost_column_0_7 <= slice1cost_column_0_7_choice_2;
+      if slice0cost_ready_tag_valid then
+        slice1cost_ready_column <= slice1cost_change_column;
+      end if;
+      if slice0cost_tag_valid then
+        slice1cost_write_column <= slice0cost_write_column;
+        slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 4096) + slice1cost_column_0_0_choice_2;
+        slice1cost_write_words_1 <= (slice1cost_column_0_3_choice_2 * 4096) + slice1cost_column_0_2_choice_2;
+        slice1cost_write_words_2 <= (slice1cost_column_0_5_choice_2 * 4096) + slice1cost_column_0_4_choice_2;
+        slice1cost_write_words_3 <= (slice1cost_column_0_7_choice_2 * 4096) + slice1cost_column_0_6_choice_2;
+      end if;
+      -- slice1window
+      if slice0window_entering_tag_valid then
+        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 15 else
+          (slice1window_ring_read_address + 1) mod 16;
+        slice1window_ring_write_address <= slice1window_ring_read_address;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(23 downto 12));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_1(11 downto 0));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(23 downto 12));
+      else
+        slice1window_change_0_3_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_4_choice := to_integer(slice1window_leaving_2(11 downto 0));
+      else
+        slice1window_change_0_4_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_5_choice := to_integer(slice1window_leaving_2(23 downto 12));
+      else
+        slice1window_change_0_5_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_6_choice := to_integer(slice1window_leaving_3(11 downto 0));
+      else
+        slice1window_change_0_6_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_7_choice := to_integer(slice1window_leaving_3(23 downto 12));
+      else
+        slice1window_change_0_7_choice := 0;
+      end if;
+      slice1window_entering_0_0 <= slice1cost_column_0_0;
+      slice1window_entering_0_1 <= slice1cost_column_0_1;
+      slice1window_entering_0_2 <= slice1cost_column_0_2;
+      slice1window_entering_0_3 <= slice1cost_column_0_3;
+      slice1window_entering_0_4 <= slice1cost_column_0_4;
+      slice1window_entering_0_5 <= slice1cost_column_0_5;
+      slice1window_entering_0_6 <= slice1cost_column_0_6;
+      slice1window_entering_0_7 <= slice1cost_column_0_7;
+      slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
+      slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
+      slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
+      slice1window_change_0_3 <= slice1window_entering_0_3 - slice1window_change_0_3_choice;
+      slice1window_change_0_4 <= slice1window_entering_0_4 - slice1window_change_0_4_choice;
+      slice1window_change_0_5 <= slice1window_entering_0_5 - slice1window_change_0_5_choice;
+      slice1window_change_0_6 <= slice1window_entering_0_6 - slice1window_change_0_6_choice;
+      slice1window_change_0_7 <= slice1window_entering_0_7 - slice1window_change_0_7_choice;
+      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
+      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
+      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
+      slice1window_sum_0_3_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_3;
+      slice1window_sum_0_4_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_4;
+      slice1window_sum_0_5_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_5;
+      slice1window_sum_0_6_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_6;
+      slice1window_sum_0_7_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_7;
+      if slice0window_tag_valid then
+        slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 65536;
+        slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 65536;
+        slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 65536;
+        slice1window_sum_0_3 <= (slice1window_sum_0_3_choice + slice1window_change_0_3) mod 65536;
+        slice1window_sum_0_4 <= (slice1window_sum_0_4_choice + slice1window_change_0_4) mod 65536;
+        slice1window_sum_0_5 <= (slice1window_sum_0_5_choice + slice1window_change_0_5) mod 65536;
+        slice1window_sum_0_6 <= (slice1window_sum_0_6_choice + slice1window_change_0_6) mod 65536;
+        slice1window_sum_0_7 <= (slice1window_sum_0_7_choice + slice1window_change_0_7) mod 65536;
+        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
+        slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
+        slice1window_centre_output_column_3 <= slice1window_centre_output_column_2;
+        slice1window_centre_output_column_4 <= slice1window_centre_output_column_3;
+        slice1window_centre_output_column_5 <= slice1window_centre_output_column_4;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
+        slice1window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_3;
+        slice1window_centre_start_of_frame_4 <= slice1window_centre_start_of_frame_3;
+        slice1window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_4;
+        slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+        slice1window_centre_end_of_line_1 <= slice1window_centre_end_of_line_0;
+        slice1window_centre_end_of_line_2 <= slice1window_centre_end_of_line_1;
+        slice1window_centre_end_of_line_3 <= slice1window_centre_end_of_line_2;
+        slice1window_centre_end_of_line_4 <= slice1window_centre_end_of_line_3;
+        slice1window_centre_end_of_line_5 <= slice1window_centre_end_of_line_4;
+      end if;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
+        slice1window_sum_0_6;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_cost_0_2;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+        slice1winner1_best_index_0_2;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      -- slice1
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
+        slice1winner3_best_index_0_0;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if reset = '1' then
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 71;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_row_start <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_row_start <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_row_start <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_row_start <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_row_start <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_row_start <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_read_column <= 0;
+        slice0cost_change_column <= 0;
+        slice0cost_ready_column <= 0;
+        slice0cost_ready_tag_valid <= false;
+        slice0cost_ready_tag_output_column <= false;
+        slice0cost_ready_tag_start_of_frame <= false;
+        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_write_column <= 0;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_ring_read_address <= 1;
+        slice0window_ring_write_address <= 0;
+        slice0window_entering_tag_valid <= false;
+        slice0window_entering_tag_output_column <= false;
+        slice0window_entering_tag_start_of_frame <= false;
+        slice0window_entering_tag_end_of_line <= false;
+        slice0window_change_tag_valid <= false;
+        slice0window_change_tag_output_column <= false;
+        slice0window_change_tag_start_of_frame <= false;
+        slice0window_change_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_2 <= false;
+        slice0window_centre_start_of_frame_3 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1cost_read_column <= 0;
+        slice1cost_change_column <= 0;
+        slice1cost_ready_column <= 0;
+        slice1cost_write_column <= 0;
+        slice1window_ring_read_address <= 1;
+        slice1window_ring_write_address <= 0;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_output_column_1 <= false;
+        slice1window_centre_output_column_2 <= false;
+        slice1window_centre_output_column_3 <= false;
+        slice1window_centre_output_column_4 <= false;
+        slice1window_centre_output_column_5 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_centre_start_of_frame_3 <= false;
+        slice1window_centre_start_of_frame_4 <= false;
+        slice1window_centre_start_of_frame_5 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1window_centre_end_of_line_1 <= false;
+        slice1window_centre_end_of_line_2 <= false;
+        slice1window_centre_end_of_line_3 <= false;
+        slice1window_centre_end_of_line_4 <= false;
+        slice1window_centre_end_of_line_5 <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;
