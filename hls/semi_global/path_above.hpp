@@ -3,6 +3,7 @@
 
 #include "semi_global/config.hpp"
 #include "semi_global/path_entry.hpp"
+#include "support/fan_out.hpp"
 #include "support/memory_bank.hpp"
 #include "support/minimum_tree.hpp"
 #include "support/move_delay.hpp"
@@ -39,7 +40,7 @@ struct PathAbove {
    // then the tree, and the totals beside it
    Tree tree;
    Delay delay;
-   Value smallest;
+   FanOut<Value, kCount> smallest;
    // move kMoves
    Value cost[kCount];  ///< K
    // then what the row below gets
@@ -85,8 +86,9 @@ struct PathAbove {
       memory.write(write_column, write_words);
       pass_on(move);
       HLS_UNROLL
-      for (int d = 0; d < kCount; ++d) cost[d] = select<Value>(move, Value(delay.lane(d) - smallest) & kMask, cost[d]);
-      smallest = select<Value>(move, tree.root(), smallest);
+      for (int d = 0; d < kCount; ++d)
+         cost[d] = select<Value>(move, Value(delay.lane(d) - smallest.get(d)) & kMask, cost[d]);
+      smallest.move(move, tree.root());
       tree.clock(total, move);
       delay.clock(total, move);
       HLS_UNROLL

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "semi_global/config.hpp"
+#include "support/fan_out.hpp"
 #include "support/minimum_tree.hpp"
 
 namespace stereo::semi_global {
@@ -38,7 +39,7 @@ struct RowPath {
    Value smallest_less;  ///< less P1
    bool first[3];        ///< [j]: the column of move j+1 is the first of its row
    // move 2
-   Value g, g_less;
+   FanOut<Value, kCount> g, g_less;
    // move 3
    Value stay_change[kCount], step_change[kCount];  ///< c - g, c - g + P1
    // move 4
@@ -71,11 +72,11 @@ struct RowPath {
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          const Value c = costs_in[d];
-         stay_change[d] = select<Value>(move, Value(c - g) & kMask, stay_change[d]);
-         step_change[d] = select<Value>(move, Value(c - g_less) & kMask, step_change[d]);
+         stay_change[d] = select<Value>(move, Value(c - g.get(d)) & kMask, stay_change[d]);
+         step_change[d] = select<Value>(move, Value(c - g_less.get(d)) & kMask, step_change[d]);
       }
-      g = select<Value>(move, Value(smallest + start_cost[0]) & kMask, g);
-      g_less = select<Value>(move, Value(smallest_less + start_cost[0]) & kMask, g_less);
+      g.move(move, Value(smallest + start_cost[0]) & kMask);
+      g_less.move(move, Value(smallest_less + start_cost[0]) & kMask);
       find_start(move, lowest, first_in);
       smallest = select<PathCost<C>>(move, smallest_in, smallest);
       smallest_less = select<Value>(move, Value(smallest_in - C.p1) & kMask, smallest_less);
