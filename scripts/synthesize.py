@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base.configurations import Configuration, configuration, configurations
+from flow.base.configurations import PLANNED, Configuration, configuration, configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.tools import find_bambu
 from flow.shell import template
@@ -31,7 +31,7 @@ def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
 def main() -> int:
     parser = ArgumentParser(prog="synthesize.py", description=__doc__)
     parser.add_argument(
-        "--config", action="append", metavar="NAME", help="configuration, may be repeated (default: all)"
+        "--config", action="append", metavar="NAME", help="configuration, may be repeated (default: all but planned ones)"
     )
     parser.add_argument(
         "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"
@@ -41,7 +41,7 @@ def main() -> int:
     )
     options = parser.parse_args()
     table = configurations()
-    names = options.config or sorted(table)
+    names = options.config or sorted(name for name, row in table.items() if row["use"] != PLANNED)
     for name in names:
         configuration(name, table)
     if options.check:

@@ -40,6 +40,7 @@ class Configuration(Parameters):
     source_folder: str  # of the family's core, from the project's root
 
 
+PLANNED = "planned"  # the use of a row whose VHDL is not made yet
 _ABOUT = ("use", "description", "options", "source_folder")
 
 
