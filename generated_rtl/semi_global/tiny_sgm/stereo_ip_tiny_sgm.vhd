@@ -64,7 +64,7 @@ begin
       latency_clocks => 31,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"ad19bc11",
+      core_id => x"001620f6",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

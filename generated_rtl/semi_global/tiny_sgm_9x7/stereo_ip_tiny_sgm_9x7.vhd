@@ -64,7 +64,7 @@ begin
       latency_clocks => 31,
       flush_groups => 249,
       gap_groups => 0,
-      core_id => x"2bbf363e",
+      core_id => x"c93eb278",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

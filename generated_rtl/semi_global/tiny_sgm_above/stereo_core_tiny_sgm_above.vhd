@@ -446,7 +446,7 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal forward_above_tree_next_smallest_0, forward_above_tree_next_smallest_1 : natural range 0 to 44;
   signal forward_above_tree_next_smallest_2, forward_above_tree_next_next_smallest_0 : natural range 0 to 44;
   signal forward_above_tree_next_next_smallest_1, forward_above_tree_next_next_next_smallest_0 : natural range 0 to 44;
-  signal forward_above_smallest : natural range 0 to 44;
+  signal forward_above_smallest_copy_0 : natural range 0 to 44;
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
   signal forward_above_delay_held_2 : unsigned(11 downto 0);
@@ -6321,19 +6321,28 @@ begin
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
-        forward_above_smallest <= forward_above_tree_next_next_next_smallest_0;
-        forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest) mod 64;
-        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest) mod 64;
-        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(29 downto 12)) - forward_above_smallest) mod 64;
-        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(29 downto 18)) - forward_above_smallest) mod 64;
-        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(29 downto 24)) - forward_above_smallest) mod 64;
-        forward_above_cost_5 <= (to_integer(forward_above_delay_held_1) - forward_above_smallest) mod 64;
-        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(29 downto 6)) - forward_above_smallest) mod 64;
-        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(29 downto 12)) - forward_above_smallest) mod 64;
-        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(29 downto 18)) - forward_above_smallest) mod 64;
-        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(29 downto 24)) - forward_above_smallest) mod 64;
-        forward_above_cost_10 <= (to_integer(forward_above_delay_held_2) - forward_above_smallest) mod 64;
-        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest) mod 64;
+        forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
+        forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(29 downto 12)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(29 downto 18)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(29 downto 24)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_5 <= (to_integer(forward_above_delay_held_1) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(29 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(29 downto 12)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(29 downto 18)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(29 downto 24)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_10 <= (to_integer(forward_above_delay_held_2) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
         forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
           forward_above_cost_0;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 28,
       flush_groups => 131,
       gap_groups => 0,
-      core_id => x"1c643f5c",
+      core_id => x"f8c7d2cf",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 52,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"e7bfd1fc",
+      core_id => x"fdb533a4",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

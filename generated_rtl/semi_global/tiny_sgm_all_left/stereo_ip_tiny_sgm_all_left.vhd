@@ -64,7 +64,7 @@ begin
       latency_clocks => 52,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"9cb1edc6",
+      core_id => x"103ed22d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

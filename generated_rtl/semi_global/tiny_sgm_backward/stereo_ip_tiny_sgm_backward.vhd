@@ -64,7 +64,7 @@ begin
       latency_clocks => 31,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"44bcb95e",
+      core_id => x"696ad115",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -4,7 +4,6 @@
 from ..base import rtl
 from ..base.configurations import Size, option
 from ..base.errors import EXIT_MISMATCH, FlowError
-from ..base.tools import ROOT
 from ..cosim import record as cosim_record
 from ..synthesis import manifest
 from . import figures, record
@@ -31,7 +30,7 @@ class Configuration:
         self.stale = implemented is not None and not record.is_fresh(implemented, self.manifest)
         if self.stale and not stale_is_none:
             raise FlowError(
-                f"{folder.relative_to(ROOT)}/implementation.json is of other VHDL; "
+                f"{folder / record.FILE} is of other VHDL; "
                 f"run scripts/implement.py --config {name}",
                 EXIT_MISMATCH,
             )
