@@ -1,0 +1,2339 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, semi global, configuration tiny_sgm_w1_sad_left: 40x12, 12 disparities, window 1x1, P1 5, P2 22, 1 pixel pairs a clock.
+-- Options: disparities 12, window_px 1, reference left, cost sad, cost_shift 3, cost_cap 12,
+--   slice_disparities 5, cost_clocks 2.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_sgm_w1_sad_left
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_sgm_w1_sad_left is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 12;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 29;
+    latency_clocks : positive := 22;
+    flush_groups : positive := 84;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_sgm_w1_sad_left: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_sgm_w1_sad_left: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_sgm_w1_sad_left: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_w1_sad_left: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_sgm_w1_sad_left: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 29 report "stereo_core_tiny_sgm_w1_sad_left: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
+  assert latency_clocks = 22 report "stereo_core_tiny_sgm_w1_sad_left: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
+  assert flush_groups = 84 report "stereo_core_tiny_sgm_w1_sad_left: flush_groups is " & integer'image(flush_groups) & " but this core has 84" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_sgm_w1_sad_left: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
+  signal raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 15;
+  -- delay
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_0, rows_reference_0 : natural range 0 to 255;
+  signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_reference_0 : natural range 0 to 255;
+  signal slice0shift_search_out_0 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
+  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
+  signal slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4 : integer range -255 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line : boolean;
+  -- slice0window
+  signal slice0window_tag_valid, slice0window_tag_border_column, slice0window_tag_first_cost : boolean;
+  signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 31;
+  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 31;
+  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 31;
+  signal slice0_tag_0_valid, slice0_tag_0_first_cost, slice0_tag_0_map_column, slice0_tag_0_output_column : boolean;
+  signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_first_cost : boolean;
+  signal slice0_tag_1_map_column, slice0_tag_1_output_column, slice0_tag_1_start_of_frame : boolean;
+  signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_first_cost, slice0_tag_2_map_column : boolean;
+  signal slice0_tag_2_output_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_reference_0 : natural range 0 to 255;
+  signal slice1shift_search_out_0 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4 : integer range -255 to 255;
+  -- slice1
+  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 31;
+  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 31;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_reference_0 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1 : integer range -255 to 255;
+  -- slice2
+  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 31;
+  -- entry
+  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 31;
+  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 31;
+  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 31;
+  signal entry_next_column, entry_order_address, entry_cost_0, entry_cost_1, entry_cost_2 : natural range 0 to 31;
+  signal entry_cost_3, entry_cost_4, entry_cost_5, entry_cost_6, entry_cost_7, entry_cost_8 : natural range 0 to 31;
+  signal entry_cost_9, entry_cost_10, entry_cost_11, entry_column, entry_place : natural range 0 to 31;
+  signal entry_next_tag_valid, entry_next_tag_first_cost, entry_next_tag_map_column : boolean;
+  signal entry_next_tag_output_column, entry_next_tag_end_of_line, entry_next_top, entry_order_falls : boolean;
+  signal entry_order_complete, entry_order_output, entry_order_first, entry_order_held_output : boolean;
+  signal entry_order_turned_output_column, entry_order_turned_first_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag_valid, entry_tag_first_cost, entry_tag_map_column, entry_tag_end_of_line, entry_top : boolean;
+  signal entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
+  -- forward
+  signal forward_smallest_smallest_0, forward_smallest_smallest_1, forward_smallest_smallest_2 : natural range 0 to 31;
+  signal forward_smallest_smallest_3, forward_smallest_smallest_4, forward_smallest_smallest_5 : natural range 0 to 31;
+  signal forward_smallest_next_smallest_0, forward_smallest_next_smallest_1 : natural range 0 to 31;
+  signal forward_smallest_next_smallest_2, forward_smallest_next_next_smallest_0 : natural range 0 to 31;
+  signal forward_smallest_next_next_smallest_1, forward_smallest_next_next_next_smallest_0 : natural range 0 to 31;
+  signal forward_left_room, forward_left_smallest, forward_above_ready_cost_0 : natural range 0 to 31;
+  signal forward_above_ready_cost_1, forward_above_ready_cost_2, forward_above_ready_cost_3 : natural range 0 to 31;
+  signal forward_above_ready_cost_4, forward_above_ready_cost_5, forward_above_ready_cost_6 : natural range 0 to 31;
+  signal forward_above_ready_cost_7, forward_above_ready_cost_8, forward_above_ready_cost_9 : natural range 0 to 31;
+  signal forward_above_ready_cost_10, forward_above_ready_cost_11, forward_above_stay_0 : natural range 0 to 31;
+  signal forward_above_stay_1, forward_above_stay_2, forward_above_stay_3, forward_above_stay_4 : natural range 0 to 31;
+  signal forward_above_stay_5, forward_above_stay_6, forward_above_stay_7, forward_above_stay_8 : natural range 0 to 31;
+  signal forward_above_stay_9, forward_above_stay_10, forward_above_stay_11 : natural range 0 to 31;
+  signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 31;
+  signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 31;
+  signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 31;
+  signal forward_above_column_9, forward_above_write_column, forward_smallest_cost_1 : natural range 0 to 31;
+  signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 31;
+  signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
+  signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
+  signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
+  signal forward_above_ready_words_0, forward_above_ready_words_1, forward_above_write_words_0 : unsigned(31 downto 0);
+  signal forward_above_write_words_1 : unsigned(31 downto 0);
+  signal forward_cost_delay_held_1 : unsigned(16 downto 0);
+  signal forward_left_pair_0, forward_left_pair_1, forward_left_pair_2, forward_left_pair_3 : natural range 0 to 63;
+  signal forward_left_pair_4, forward_left_pair_5, forward_left_tree_smallest_0 : natural range 0 to 63;
+  signal forward_left_tree_smallest_1, forward_left_tree_smallest_2 : natural range 0 to 63;
+  signal forward_left_tree_next_smallest_0, forward_left_tree_next_smallest_1 : natural range 0 to 63;
+  signal forward_left_tree_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 63;
+  signal forward_left_g_copy_0, forward_left_g_less_copy_0, forward_left_stay_change_0 : natural range 0 to 63;
+  signal forward_left_stay_change_1, forward_left_stay_change_2, forward_left_stay_change_3 : natural range 0 to 63;
+  signal forward_left_stay_change_4, forward_left_stay_change_5, forward_left_stay_change_6 : natural range 0 to 63;
+  signal forward_left_stay_change_7, forward_left_stay_change_8, forward_left_stay_change_9 : natural range 0 to 63;
+  signal forward_left_stay_change_10, forward_left_stay_change_11, forward_left_step_change_0 : natural range 0 to 63;
+  signal forward_left_step_change_1, forward_left_step_change_2, forward_left_step_change_3 : natural range 0 to 63;
+  signal forward_left_step_change_4, forward_left_step_change_5, forward_left_step_change_6 : natural range 0 to 63;
+  signal forward_left_step_change_7, forward_left_step_change_8, forward_left_step_change_9 : natural range 0 to 63;
+  signal forward_left_step_change_10, forward_left_step_change_11, forward_left_cost_0 : natural range 0 to 63;
+  signal forward_left_cost_1, forward_left_cost_2, forward_left_cost_3, forward_left_cost_4 : natural range 0 to 63;
+  signal forward_left_cost_5, forward_left_cost_6, forward_left_cost_7, forward_left_cost_8 : natural range 0 to 63;
+  signal forward_left_cost_9, forward_left_cost_10, forward_left_cost_11 : natural range 0 to 63;
+  signal forward_left_arrived_0, forward_left_arrived_1, forward_left_arrived_2 : natural range 0 to 63;
+  signal forward_left_arrived_3, forward_left_arrived_4, forward_left_arrived_5 : natural range 0 to 63;
+  signal forward_left_arrived_6, forward_left_arrived_7, forward_left_arrived_8 : natural range 0 to 63;
+  signal forward_left_arrived_9, forward_left_arrived_10, forward_left_arrived_11 : natural range 0 to 63;
+  signal forward_above_cost_0, forward_above_cost_1, forward_above_cost_2, forward_above_cost_3 : natural range 0 to 63;
+  signal forward_above_cost_4, forward_above_cost_5, forward_above_cost_6, forward_above_cost_7 : natural range 0 to 63;
+  signal forward_above_cost_8, forward_above_cost_9, forward_above_cost_10 : natural range 0 to 63;
+  signal forward_above_cost_11, forward_above_beside_0, forward_above_beside_1 : natural range 0 to 63;
+  signal forward_above_beside_2, forward_above_beside_3, forward_above_beside_4 : natural range 0 to 63;
+  signal forward_above_beside_5, forward_above_beside_6, forward_above_beside_7 : natural range 0 to 63;
+  signal forward_above_beside_8, forward_above_beside_9, forward_above_beside_10 : natural range 0 to 63;
+  signal forward_above_beside_11, forward_above_own_0, forward_above_own_2, forward_above_own_3 : natural range 0 to 63;
+  signal forward_above_own_4, forward_above_own_5, forward_above_own_6, forward_above_own_7 : natural range 0 to 63;
+  signal forward_above_own_8, forward_above_own_9, forward_above_own_11 : natural range 0 to 63;
+  signal forward_left_start_cost_0, forward_left_start_cost_1, forward_left_start_cost_2 : natural range 0 to 255;
+  signal forward_left_start_cost_3, forward_left_start_cost_4, forward_left_start_cost_5 : natural range 0 to 255;
+  signal forward_left_start_cost_6 : natural range 0 to 255;
+  signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
+  signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
+  signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
+  signal forward_first_3 : boolean;
+  signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 62;
+  signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 62;
+  signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 62;
+  signal forward_above_total_9, forward_above_total_10, forward_above_total_11 : natural range 0 to 62;
+  signal forward_above_tree_smallest_0, forward_above_tree_smallest_1 : natural range 0 to 62;
+  signal forward_above_tree_smallest_2, forward_above_tree_smallest_3 : natural range 0 to 62;
+  signal forward_above_tree_smallest_4, forward_above_tree_smallest_5 : natural range 0 to 62;
+  signal forward_above_tree_next_smallest_0, forward_above_tree_next_smallest_1 : natural range 0 to 62;
+  signal forward_above_tree_next_smallest_2, forward_above_tree_next_next_smallest_0 : natural range 0 to 62;
+  signal forward_above_tree_next_next_smallest_1, forward_above_tree_next_next_next_smallest_0 : natural range 0 to 62;
+  signal forward_above_smallest_copy_0 : natural range 0 to 62;
+  signal forward_above_delay_held_0, forward_above_delay_held_1 : unsigned(29 downto 0);
+  signal forward_above_delay_held_2 : unsigned(11 downto 0);
+  signal forward_above_step_0, forward_above_step_1, forward_above_step_2, forward_above_step_3 : natural range 0 to 68;
+  signal forward_above_step_4, forward_above_step_5, forward_above_step_6, forward_above_step_7 : natural range 0 to 68;
+  signal forward_above_step_8, forward_above_step_9, forward_above_step_10 : natural range 0 to 68;
+  signal forward_above_step_11 : natural range 0 to 68;
+  signal forward_sum_0, forward_sum_1, forward_sum_2, forward_sum_3, forward_sum_4 : natural range 0 to 126;
+  signal forward_sum_5, forward_sum_6, forward_sum_7, forward_sum_8, forward_sum_9 : natural range 0 to 126;
+  signal forward_sum_10, forward_sum_11 : natural range 0 to 126;
+  signal forward_cost_0_0, forward_cost_0_1, forward_cost_0_2, forward_cost_0_3 : natural range 0 to 15;
+  signal forward_cost_0_4, forward_cost_0_5, forward_cost_0_6, forward_cost_0_7 : natural range 0 to 15;
+  signal forward_cost_0_8, forward_cost_0_9, forward_cost_0_10, forward_cost_0_11 : natural range 0 to 15;
+  signal forward_cost_1_0, forward_cost_1_1, forward_cost_1_2, forward_cost_1_3 : natural range 0 to 15;
+  signal forward_cost_1_4, forward_cost_1_5, forward_cost_1_6, forward_cost_1_7 : natural range 0 to 15;
+  signal forward_cost_1_8, forward_cost_1_9, forward_cost_1_10, forward_cost_1_11 : natural range 0 to 15;
+  signal forward_cost_2_0, forward_cost_2_1, forward_cost_2_2, forward_cost_2_3 : natural range 0 to 15;
+  signal forward_cost_2_4, forward_cost_2_5, forward_cost_2_6, forward_cost_2_7 : natural range 0 to 15;
+  signal forward_cost_2_8, forward_cost_2_9, forward_cost_2_10, forward_cost_2_11 : natural range 0 to 15;
+  signal forward_cost_3_0, forward_cost_3_1, forward_cost_3_2, forward_cost_3_3 : natural range 0 to 15;
+  signal forward_cost_3_4, forward_cost_3_5, forward_cost_3_6, forward_cost_3_7 : natural range 0 to 15;
+  signal forward_cost_3_8, forward_cost_3_9, forward_cost_3_10, forward_cost_3_11 : natural range 0 to 15;
+  -- sums
+  signal sums_turn_read_sums_0, sums_turn_read_sums_1, sums_turn_read_sums_2 : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0, sums_sum_delay_held_1, sums_sum_delay_held_2 : unsigned(27 downto 0);
+  signal sums_turn_read_costs_0, sums_turn_ready_costs_0, sums_turn_write_costs_0 : unsigned(31 downto 0);
+  signal sums_turn_read_costs_1 : unsigned(15 downto 0);
+  signal sums_turn_read_smallest_0 : unsigned(4 downto 0);
+  signal sums_turn_ready_sums_0, sums_turn_ready_sums_1, sums_turn_ready_sums_2 : natural range 0 to 268435455;
+  signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 65535;
+  signal sums_turn_ready_smallest_0, sums_turn_place_0, sums_turn_place_1, sums_turn_place_2 : natural range 0 to 31;
+  signal sums_turn_place_3, sums_turn_place_4, sums_turn_place_5, sums_turn_place_6 : natural range 0 to 31;
+  signal sums_turn_place_7, sums_turn_place_8, sums_turn_write_smallest_0 : natural range 0 to 31;
+  signal sums_turn_write_place, sums_right_room, sums_right_smallest : natural range 0 to 31;
+  signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
+  signal sums_turn_comes_4, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
+  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
+  signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
+  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
+  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
+  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
+  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
+  signal sums_tags_moved : boolean;
+  signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 266321790;
+  signal sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3, sums_cost_0_4 : natural range 0 to 15;
+  signal sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8, sums_cost_0_9 : natural range 0 to 15;
+  signal sums_cost_0_10, sums_cost_0_11, sums_cost_1_0, sums_cost_1_1, sums_cost_1_2 : natural range 0 to 15;
+  signal sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6, sums_cost_1_7 : natural range 0 to 15;
+  signal sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
+  signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 63;
+  signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 63;
+  signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 63;
+  signal sums_right_tree_next_smallest_0, sums_right_tree_next_smallest_1 : natural range 0 to 63;
+  signal sums_right_tree_next_next_smallest_0, sums_right_smallest_less, sums_right_g_copy_0 : natural range 0 to 63;
+  signal sums_right_g_less_copy_0, sums_right_stay_change_0, sums_right_stay_change_1 : natural range 0 to 63;
+  signal sums_right_stay_change_2, sums_right_stay_change_3, sums_right_stay_change_4 : natural range 0 to 63;
+  signal sums_right_stay_change_5, sums_right_stay_change_6, sums_right_stay_change_7 : natural range 0 to 63;
+  signal sums_right_stay_change_8, sums_right_stay_change_9, sums_right_stay_change_10 : natural range 0 to 63;
+  signal sums_right_stay_change_11, sums_right_step_change_0, sums_right_step_change_1 : natural range 0 to 63;
+  signal sums_right_step_change_2, sums_right_step_change_3, sums_right_step_change_4 : natural range 0 to 63;
+  signal sums_right_step_change_5, sums_right_step_change_6, sums_right_step_change_7 : natural range 0 to 63;
+  signal sums_right_step_change_8, sums_right_step_change_9, sums_right_step_change_10 : natural range 0 to 63;
+  signal sums_right_step_change_11, sums_right_cost_0, sums_right_cost_1, sums_right_cost_2 : natural range 0 to 63;
+  signal sums_right_cost_3, sums_right_cost_4, sums_right_cost_5, sums_right_cost_6 : natural range 0 to 63;
+  signal sums_right_cost_7, sums_right_cost_8, sums_right_cost_9, sums_right_cost_10 : natural range 0 to 63;
+  signal sums_right_cost_11, sums_right_arrived_0, sums_right_arrived_1, sums_right_arrived_2 : natural range 0 to 63;
+  signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5, sums_right_arrived_6 : natural range 0 to 63;
+  signal sums_right_arrived_7, sums_right_arrived_8, sums_right_arrived_9 : natural range 0 to 63;
+  signal sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 63;
+  signal sums_right_start_cost_0, sums_right_start_cost_1, sums_right_start_cost_2 : natural range 0 to 255;
+  signal sums_right_start_cost_3, sums_right_start_cost_4, sums_right_start_cost_5 : natural range 0 to 255;
+  signal sums_right_start_cost_6 : natural range 0 to 255;
+  signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
+  signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 127;
+  signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 127;
+  -- winnerswinner1
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
+  signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
+  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
+  -- winnerswinner2
+  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_cost_0_2 : natural range 0 to 127;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
+  signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
+  -- winnerswinner3
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
+  signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
+  signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
+  signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
+  -- winnerswinner4
+  signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
+  signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
+  -- winners
+  signal winners_best_index_0_0 : natural range 0 to 11;
+  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
+  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
+  -- turn
+  signal turn_order_address, turn_write_place : natural range 0 to 31;
+  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
+  signal turn_order_held_output, turn_order_turned_valid, turn_order_turned_output_column : boolean;
+  signal turn_order_turned_start_of_frame, turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid : boolean;
+  signal turn_read_tag_output_column, turn_read_tag_start_of_frame, turn_read_tag_end_of_line : boolean;
+  signal turn_ready_tag_valid, turn_ready_tag_output_column, turn_ready_tag_start_of_frame : boolean;
+  signal turn_ready_tag_end_of_line : boolean;
+  signal turn_newest, turn_write_words_0 : natural range 0 to 267;
+  signal turn_read_words_0 : unsigned(8 downto 0);
+  signal turn_ready : natural range 0 to 511;
+  -- other
+  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8 : natural range 0 to 248;
+  signal other_9, other_10, other_11, other_12, other_13, other_14, other_15, other_16 : natural range 0 to 248;
+  signal other_17, other_18, other_19, other_20, other_21, other_22, other_23 : natural range 0 to 248;
+  signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_costs_1_memory_write_data : unsigned(15 downto 0);
+  signal sums_turn_read_costs_0_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_data : unsigned(4 downto 0);
+  signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_delay_held_2_memory_write_data : unsigned(11 downto 0);
+  signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal forward_cost_delay_held_1_memory_write_data : unsigned(16 downto 0);
+  signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+
+begin
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
+  pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
+  disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
+  disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
+  disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+
+  sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
+  sums_sum_delay_held_2_memory : entity work.line_memory
+    generic map (depth => 4, width => 28)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+
+  sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 28);
+  sums_sum_delay_held_1_memory : entity work.line_memory
+    generic map (depth => 4, width => 28)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+
+  sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 28);
+  sums_sum_delay_held_0_memory : entity work.line_memory
+    generic map (depth => 4, width => 28)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+
+  sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 28);
+  sums_turn_read_sums_2_memory : entity work.line_memory
+    generic map (depth => 29, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+
+  sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
+  sums_turn_read_sums_1_memory : entity work.line_memory
+    generic map (depth => 29, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+
+  sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
+  sums_turn_read_sums_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+
+  sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 16);
+  sums_turn_read_costs_1_memory : entity work.line_memory
+    generic map (depth => 29, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+
+  sums_turn_read_costs_0_memory_write_data <= sums_turn_write_costs_0;
+  sums_turn_read_costs_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+
+  sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 5);
+  sums_turn_read_smallest_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 5)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+
+  forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
+  forward_above_read_words_1_memory : entity work.line_memory
+    generic map (depth => 29, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_next_column, read_data => forward_above_read_words_1,
+      write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
+
+  forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
+  forward_above_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_next_column, read_data => forward_above_read_words_0,
+      write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
+
+  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
+  forward_above_delay_held_2_memory : entity work.line_memory
+    generic map (depth => 5, width => 12)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+
+  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
+  forward_above_delay_held_1_memory : entity work.line_memory
+    generic map (depth => 5, width => 30)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+
+  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
+  forward_above_delay_held_0_memory : entity work.line_memory
+    generic map (depth => 5, width => 30)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+
+  forward_cost_delay_held_1_memory_write_data <= ((((((to_unsigned(entry_cost_10, 9) & to_unsigned(0, 8)) or (to_unsigned(entry_cost_11, 5) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_8, 17)))) or (to_unsigned(entry_cost_9, 13) & to_unsigned(0, 4)));
+  forward_cost_delay_held_1_memory : entity work.line_memory
+    generic map (depth => 5, width => 17)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+
+  forward_cost_delay_held_0_memory_write_data <= ((((((((((((((to_unsigned(entry_cost_6, 8) & to_unsigned(0, 24)) or (to_unsigned((entry_cost_7 mod 16), 4) & to_unsigned(0, 28)))) or (to_unsigned(entry_cost_5, 12) & to_unsigned(0, 20)))) or (to_unsigned(entry_cost_4, 16) & to_unsigned(0, 16)))) or (to_unsigned(entry_cost_3, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_2, 24) & to_unsigned(0, 8)))) or (to_unsigned(entry_cost_0, 32)))) or (to_unsigned(entry_cost_1, 28) & to_unsigned(0, 4)));
+  forward_cost_delay_held_0_memory : entity work.line_memory
+    generic map (depth => 5, width => 32)
+    port map (
+      clock => clock, read_enable => entry_tag_valid,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
+    variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
+    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
+    variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
+    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_choice : boolean;
+    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value : boolean;
+    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_2 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_3 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_4 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_choice : boolean;
+    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value : boolean;
+    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_2 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_3 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_4 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
+    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_2_choice : boolean;
+    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
+    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
+    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
+    variable turn_order_address_all, turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
+    variable turn_order_turned_output_column_choice, other_2_is_less, other_3_is_less, other_9_is_less : boolean;
+    variable other_10_is_less, other_11_is_less, other_12_is_less, other_13_is_less, other_19_is_less : boolean;
+    variable other_20_is_less, other_21_is_less, other_22_is_less, other_23_is_less : boolean;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
+    variable entry_order_address_choice_3, forward_left_room_choice, forward_left_room_choice_2 : natural range 0 to 31;
+    variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
+    variable forward_above_total_2_choice, forward_above_total_3_choice : natural range 0 to 31;
+    variable forward_above_total_4_choice, forward_above_total_5_choice : natural range 0 to 31;
+    variable forward_above_total_6_choice, forward_above_total_7_choice : natural range 0 to 31;
+    variable forward_above_total_8_choice, forward_above_total_9_choice : natural range 0 to 31;
+    variable forward_above_total_10_choice, forward_above_total_11_choice : natural range 0 to 31;
+    variable sums_right_room_choice, sums_right_room_choice_2, turn_order_address_choice_3 : natural range 0 to 31;
+    variable other_2_choice_2, other_3_choice_2, other_9_choice_2, other_10_choice_2 : natural range 0 to 31;
+    variable other_11_choice_2, other_12_choice_2, other_13_choice_2, other_19_choice_2 : natural range 0 to 31;
+    variable other_20_choice_2, other_21_choice_2, other_22_choice_2, other_23_choice_2 : natural range 0 to 31;
+    variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
+    variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
+    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 63;
+    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 63;
+    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 63;
+    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 63;
+    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 63;
+    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 63;
+    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 63;
+    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 63;
+    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 63;
+    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 63;
+    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 63;
+    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 63;
+    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 63;
+    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 63;
+    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 63;
+    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 63;
+    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 63;
+    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 63;
+    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 63;
+    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 63;
+    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 63;
+    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 63;
+    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 63;
+    variable sums_right_arrived_11_choice : natural range 0 to 63;
+    variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
+    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2, other_2_choice : natural range 0 to 255;
+    variable other_3_choice, other_9_choice, other_10_choice, other_11_choice, other_12_choice : natural range 0 to 255;
+    variable other_13_choice, other_19_choice, other_20_choice, other_21_choice : natural range 0 to 255;
+    variable other_22_choice, other_23_choice : natural range 0 to 255;
+    variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 68;
+    variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 68;
+    variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 68;
+    variable forward_above_write_words_1_choice, forward_above_write_words_1_choice_2 : natural range 0 to 68;
+    variable forward_above_write_words_1_choice_3, forward_above_write_words_1_choice_4 : natural range 0 to 68;
+    variable forward_above_write_words_1_choice_5, forward_above_write_words_1_choice_6 : natural range 0 to 68;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 39;
+      raster_features_search_0 <= in_right_pixel;
+      raster_features_reference_0 <= in_left_pixel;
+      raster_features_valid <= in_valid;
+      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
+        as_number(((raster_place_group /= 12) and raster_place_group_is_equal and in_valid))) mod 16;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
+          mod 64;
+      end if;
+      -- delay
+      delay_tag_first_cost_is_equal := raster_place_column = 11;
+      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_delayed_0 <= raster_features_search_0;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
+        = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag_map_column <= delay_tag_map_column_is_less;
+      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_less when
+        (raster_place_group / 8) = 1 else delay_tag_map_column_is_less;
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
+      delay_tag_end_of_line <= raster_place_group_is_equal;
+      -- rows
+      rows_search_0 <= delay_delayed_0;
+      rows_reference_0 <= delay_ahead_0;
+      rows_tag_valid <= delay_tag_valid;
+      rows_tag_border_column <= delay_tag_border_column;
+      rows_tag_first_cost <= delay_tag_first_cost;
+      rows_tag_map_column <= delay_tag_map_column;
+      rows_tag_output_column <= delay_tag_output_column;
+      rows_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_tag_end_of_line <= delay_tag_end_of_line;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_0_3 <= slice0shift_search_0_2;
+        slice0shift_search_0_4 <= slice0shift_search_0_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_search_out_0 <= slice0shift_search_0_4;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      -- slice0window
+      slice0window_tag_valid <= slice0cost_pair_tag_valid;
+      slice0window_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0window_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0window_tag_map_column <= slice0cost_pair_tag_output_column;
+      slice0window_tag_output_column <= slice0cost_pair_tag_map_column;
+      slice0window_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0window_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0
+      slice0_held_0_0 <= 12 when (((((other_18 / 16) mod 2) = 1) or (((other_18 / 8) mod 2) = 1)) and (((other_18 / 32)
+        mod 4) = 3)) or ((other_18 / 128) = 1) else other_18 / 8;
+      slice0_held_0_1 <= 12 when (((((other_17 / 16) mod 2) = 1) or (((other_17 / 8) mod 2) = 1)) and (((other_17 / 32)
+        mod 4) = 3)) or ((other_17 / 128) = 1) else other_17 / 8;
+      slice0_held_0_2 <= 12 when (((((other_16 / 16) mod 2) = 1) or (((other_16 / 8) mod 2) = 1)) and (((other_16 / 32)
+        mod 4) = 3)) or ((other_16 / 128) = 1) else other_16 / 8;
+      slice0_held_0_3 <= 12 when (((((other_15 / 16) mod 2) = 1) or (((other_15 / 8) mod 2) = 1)) and (((other_15 / 32)
+        mod 4) = 3)) or ((other_15 / 128) = 1) else other_15 / 8;
+      slice0_held_0_4 <= 12 when (((((other_14 / 16) mod 2) = 1) or (((other_14 / 8) mod 2) = 1)) and (((other_14 / 32)
+        mod 4) = 3)) or ((other_14 / 128) = 1) else other_14 / 8;
+      slice0_held_1_0 <= slice0_held_0_0;
+      slice0_held_1_1 <= slice0_held_0_1;
+      slice0_held_1_2 <= slice0_held_0_2;
+      slice0_held_1_3 <= slice0_held_0_3;
+      slice0_held_1_4 <= slice0_held_0_4;
+      slice0_held_2_0 <= slice0_held_1_0;
+      slice0_held_2_1 <= slice0_held_1_1;
+      slice0_held_2_2 <= slice0_held_1_2;
+      slice0_held_2_3 <= slice0_held_1_3;
+      slice0_held_2_4 <= slice0_held_1_4;
+      slice0_tag_0_valid <= slice0window_tag_valid;
+      slice0_tag_0_first_cost <= slice0window_tag_first_cost;
+      slice0_tag_0_map_column <= slice0window_tag_map_column;
+      slice0_tag_0_output_column <= slice0window_tag_output_column;
+      slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
+      slice0_tag_1_valid <= slice0_tag_0_valid;
+      slice0_tag_1_first_cost <= slice0_tag_0_first_cost;
+      slice0_tag_1_map_column <= slice0_tag_0_output_column;
+      slice0_tag_1_output_column <= slice0_tag_0_map_column;
+      slice0_tag_1_start_of_frame <= slice0_tag_0_start_of_frame;
+      slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
+      slice0_tag_2_valid <= slice0_tag_1_valid;
+      slice0_tag_2_first_cost <= slice0_tag_1_first_cost;
+      slice0_tag_2_map_column <= slice0_tag_1_output_column;
+      slice0_tag_2_output_column <= slice0_tag_1_map_column;
+      slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
+      slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_0_3 <= slice1shift_search_0_2;
+        slice1shift_search_0_4 <= slice1shift_search_0_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_search_out_0 <= slice1shift_search_0_4;
+      -- slice1cost
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
+      slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
+      -- slice1
+      slice1_held_0_0 <= 12 when (((((other_8 / 16) mod 2) = 1) or (((other_8 / 8) mod 2) = 1)) and (((other_8 / 32)
+        mod 4) = 3)) or ((other_8 / 128) = 1) else other_8 / 8;
+      slice1_held_0_1 <= 12 when (((((other_7 / 16) mod 2) = 1) or (((other_7 / 8) mod 2) = 1)) and (((other_7 / 32)
+        mod 4) = 3)) or ((other_7 / 128) = 1) else other_7 / 8;
+      slice1_held_0_2 <= 12 when (((((other_6 / 16) mod 2) = 1) or (((other_6 / 8) mod 2) = 1)) and (((other_6 / 32)
+        mod 4) = 3)) or ((other_6 / 128) = 1) else other_6 / 8;
+      slice1_held_0_3 <= 12 when (((((other_5 / 16) mod 2) = 1) or (((other_5 / 8) mod 2) = 1)) and (((other_5 / 32)
+        mod 4) = 3)) or ((other_5 / 128) = 1) else other_5 / 8;
+      slice1_held_0_4 <= 12 when (((((other_4 / 16) mod 2) = 1) or (((other_4 / 8) mod 2) = 1)) and (((other_4 / 32)
+        mod 4) = 3)) or ((other_4 / 128) = 1) else other_4 / 8;
+      slice1_held_1_0 <= slice1_held_0_0;
+      slice1_held_1_1 <= slice1_held_0_1;
+      slice1_held_1_2 <= slice1_held_0_2;
+      slice1_held_1_3 <= slice1_held_0_3;
+      slice1_held_1_4 <= slice1_held_0_4;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      -- slice2cost
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      -- slice2
+      slice2_held_0_0 <= 12 when (((((other_1 / 16) mod 2) = 1) or (((other_1 / 8) mod 2) = 1)) and (((other_1 / 32)
+        mod 4) = 3)) or ((other_1 / 128) = 1) else other_1 / 8;
+      slice2_held_0_1 <= 12 when (((((other_0 / 16) mod 2) = 1) or (((other_0 / 8) mod 2) = 1)) and (((other_0 / 32)
+        mod 4) = 3)) or ((other_0 / 128) = 1) else other_0 / 8;
+      -- entry
+      entry_order_address_all := (not entry_next_tag_map_column) and slice0_tag_2_output_column and slice0_tag_2_valid;
+      entry_order_address_choice := 0 when entry_order_falls else 7;
+      entry_order_address_all_2 := slice0_tag_2_output_column and slice0_tag_2_valid;
+      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
+      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_turned_output_column_all := entry_order_output and entry_order_complete;
+      entry_order_turned_output_column_choice := slice0_tag_2_output_column when entry_order_address_all else
+        entry_order_held_output and slice0_tag_2_output_column;
+      entry_next_cost_0 <= slice0_held_2_0;
+      entry_next_cost_1 <= slice0_held_2_1;
+      entry_next_cost_2 <= slice0_held_2_2;
+      entry_next_cost_3 <= slice0_held_2_3;
+      entry_next_cost_4 <= slice0_held_2_4;
+      entry_next_cost_5 <= slice1_held_1_0;
+      entry_next_cost_6 <= slice1_held_1_1;
+      entry_next_cost_7 <= slice1_held_1_2;
+      entry_next_cost_8 <= slice1_held_1_3;
+      entry_next_cost_9 <= slice1_held_1_4;
+      entry_next_cost_10 <= slice2_held_0_0;
+      entry_next_cost_11 <= slice2_held_0_1;
+      entry_next_tag_valid <= slice0_tag_2_valid;
+      entry_next_tag_first_cost <= slice0_tag_2_first_cost;
+      entry_next_tag_output_column <= slice0_tag_2_output_column;
+      entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
+      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
+        (entry_order_address_choice_3 + entry_order_address) mod 32;
+      entry_order_falls <= entry_next_tag_map_column or (not slice0_tag_2_output_column) or (not slice0_tag_2_valid)
+        when entry_order_falls else entry_order_address_all;
+      entry_order_complete <= slice0_tag_2_end_of_line or (not slice0_tag_2_output_column) or (not slice0_tag_2_valid)
+        when entry_order_complete else slice0_tag_2_end_of_line and slice0_tag_2_output_column and slice0_tag_2_valid;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
+        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
+        slice0_tag_2_output_column;
+      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_start_of_frame <= (not entry_next_tag_map_column) and slice0_tag_2_output_column and
+        slice0_tag_2_valid and entry_order_first and entry_order_output and entry_order_complete;
+      entry_cost_0 <= entry_next_cost_0;
+      entry_cost_1 <= entry_next_cost_1;
+      entry_cost_2 <= entry_next_cost_2;
+      entry_cost_3 <= entry_next_cost_3;
+      entry_cost_4 <= entry_next_cost_4;
+      entry_cost_5 <= entry_next_cost_5;
+      entry_cost_6 <= entry_next_cost_6;
+      entry_cost_7 <= entry_next_cost_7;
+      entry_cost_8 <= entry_next_cost_8;
+      entry_cost_9 <= entry_next_cost_9;
+      entry_cost_10 <= entry_next_cost_10;
+      entry_cost_11 <= entry_next_cost_11;
+      entry_tag_valid <= entry_next_tag_valid;
+      entry_tag_first_cost <= entry_next_tag_first_cost;
+      entry_tag_map_column <= entry_next_tag_output_column;
+      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_column <= entry_next_column;
+      entry_top <= entry_next_top;
+      entry_place <= entry_order_address;
+      entry_turned_output_column <= entry_order_turned_output_column;
+      entry_turned_first_column <= entry_order_turned_first_column;
+      entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if slice0_tag_2_valid then
+        entry_next_tag_map_column <= slice0_tag_2_output_column;
+      end if;
+      if entry_order_address_all_2 then
+        entry_next_column <= 0 when slice0_tag_2_first_cost else (entry_next_column + 1) mod 32;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_cost else entry_next_top;
+      end if;
+      if entry_order_address_all then
+        entry_order_output <= slice0_tag_2_map_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_turned_output_column_all;
+      end if;
+      -- forward
+      forward_left_pair_0_choice := forward_left_cost_2 when forward_left_cost_2 < forward_left_cost_0 else
+        forward_left_cost_0;
+      forward_left_pair_1_choice := forward_left_cost_3 when forward_left_cost_3 < forward_left_cost_1 else
+        forward_left_cost_1;
+      forward_left_pair_2_choice := forward_left_cost_6 when forward_left_cost_6 < forward_left_cost_4 else
+        forward_left_cost_4;
+      forward_left_pair_3_choice := forward_left_cost_7 when forward_left_cost_7 < forward_left_cost_5 else
+        forward_left_cost_5;
+      forward_left_pair_4_choice := forward_left_cost_10 when forward_left_cost_10 < forward_left_cost_8 else
+        forward_left_cost_8;
+      forward_left_pair_5_choice := forward_left_cost_11 when forward_left_cost_11 < forward_left_cost_9 else
+        forward_left_cost_9;
+      forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
+        1;
+      if forward_left_start_cost_0_value then
+        forward_left_start_cost_0_choice := (((as_number(forward_left_start_cost_0_value) + 7) mod 8) * 32) +
+          ((forward_left_tree_next_next_smallest_0 + forward_left_room) mod 32);
+      else
+        forward_left_start_cost_0_choice := 0;
+      end if;
+      if (forward_left_tree_next_next_smallest_0 / 32) = 1 then
+        forward_left_start_cost_0_choice_2 := forward_left_room;
+      else
+        forward_left_start_cost_0_choice_2 := forward_left_start_cost_0_choice;
+      end if;
+      if forward_left_start_cost_0_value then
+        forward_left_room_choice := (0 - forward_left_tree_next_next_smallest_0) mod 32;
+      else
+        forward_left_room_choice := forward_left_room;
+      end if;
+      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
+        forward_left_room_choice;
+      forward_left_cost_0_choice := forward_left_arrived_0 when forward_left_arrived_0 < forward_left_cost_0 else
+        forward_left_cost_0;
+      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_0_choice;
+      forward_left_cost_1_choice := forward_left_arrived_1 when forward_left_arrived_1 < forward_left_cost_1 else
+        forward_left_cost_1;
+      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_1_choice;
+      forward_left_cost_2_choice := forward_left_arrived_2 when forward_left_arrived_2 < forward_left_cost_2 else
+        forward_left_cost_2;
+      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_2_choice;
+      forward_left_cost_3_choice := forward_left_arrived_3 when forward_left_arrived_3 < forward_left_cost_3 else
+        forward_left_cost_3;
+      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_3_choice;
+      forward_left_cost_4_choice := forward_left_arrived_4 when forward_left_arrived_4 < forward_left_cost_4 else
+        forward_left_cost_4;
+      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_4_choice;
+      forward_left_cost_5_choice := forward_left_arrived_5 when forward_left_arrived_5 < forward_left_cost_5 else
+        forward_left_cost_5;
+      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_5_choice;
+      forward_left_cost_6_choice := forward_left_arrived_6 when forward_left_arrived_6 < forward_left_cost_6 else
+        forward_left_cost_6;
+      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_6_choice;
+      forward_left_cost_7_choice := forward_left_arrived_7 when forward_left_arrived_7 < forward_left_cost_7 else
+        forward_left_cost_7;
+      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_7_choice;
+      forward_left_cost_8_choice := forward_left_arrived_8 when forward_left_arrived_8 < forward_left_cost_8 else
+        forward_left_cost_8;
+      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_8_choice;
+      forward_left_cost_9_choice := forward_left_arrived_9 when forward_left_arrived_9 < forward_left_cost_9 else
+        forward_left_cost_9;
+      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_9_choice;
+      forward_left_cost_10_choice := forward_left_arrived_10 when forward_left_arrived_10 < forward_left_cost_10 else
+        forward_left_cost_10;
+      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_10_choice;
+      forward_left_cost_11_choice := forward_left_arrived_11 when forward_left_arrived_11 < forward_left_cost_11 else
+        forward_left_cost_11;
+      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
+        forward_left_cost_11_choice;
+      forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
+      forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
+      forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
+      forward_left_arrived_3_choice := forward_left_cost_4 when forward_left_cost_4 < forward_left_cost_2 else
+        forward_left_cost_2;
+      forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
+      forward_left_arrived_4_choice := forward_left_cost_5 when forward_left_cost_5 < forward_left_cost_3 else
+        forward_left_cost_3;
+      forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
+      forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
+      forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
+      forward_left_arrived_7_choice := forward_left_cost_8 when forward_left_cost_8 < forward_left_cost_6 else
+        forward_left_cost_6;
+      forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
+      forward_left_arrived_8_choice := forward_left_cost_9 when forward_left_cost_9 < forward_left_cost_7 else
+        forward_left_cost_7;
+      forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
+      forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
+      forward_left_arrived_10_choice := 32 when forward_left_first_2 else forward_left_pair_5_choice;
+      forward_left_arrived_11_choice := 32 when forward_left_first_2 else forward_left_cost_10;
+      forward_above_total_0_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(4
+        downto 0));
+      forward_above_total_1_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(9
+        downto 5));
+      forward_above_total_2_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(14
+        downto 10));
+      forward_above_total_3_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(19
+        downto 15));
+      forward_above_total_4_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(24
+        downto 20));
+      forward_above_total_5_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(29
+        downto 25));
+      forward_above_total_6_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(4
+        downto 0));
+      forward_above_total_7_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(9
+        downto 5));
+      forward_above_total_8_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(14
+        downto 10));
+      forward_above_total_9_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(19
+        downto 15));
+      forward_above_total_10_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(24
+        downto 20));
+      forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
+        downto 25));
+      if entry_tag_valid then
+        forward_smallest_smallest_0 <= entry_cost_1 when entry_cost_1 < entry_cost_0 else entry_cost_0;
+        forward_smallest_smallest_1 <= entry_cost_3 when entry_cost_3 < entry_cost_2 else entry_cost_2;
+        forward_smallest_smallest_2 <= entry_cost_5 when entry_cost_5 < entry_cost_4 else entry_cost_4;
+        forward_smallest_smallest_3 <= entry_cost_7 when entry_cost_7 < entry_cost_6 else entry_cost_6;
+        forward_smallest_smallest_4 <= entry_cost_9 when entry_cost_9 < entry_cost_8 else entry_cost_8;
+        forward_smallest_smallest_5 <= entry_cost_11 when entry_cost_11 < entry_cost_10 else entry_cost_10;
+        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when forward_smallest_smallest_1 <
+          forward_smallest_smallest_0 else forward_smallest_smallest_0;
+        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when forward_smallest_smallest_3 <
+          forward_smallest_smallest_2 else forward_smallest_smallest_2;
+        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when forward_smallest_smallest_5 <
+          forward_smallest_smallest_4 else forward_smallest_smallest_4;
+        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when forward_smallest_next_smallest_1
+          < forward_smallest_next_smallest_0 else forward_smallest_next_smallest_0;
+        forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
+        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
+          forward_smallest_next_next_smallest_1 < forward_smallest_next_next_smallest_0 else
+          forward_smallest_next_next_smallest_0;
+        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
+          (forward_cost_delay_ring_read_address + 1) mod 8;
+        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_left_pair_0 <= forward_left_pair_0_choice;
+        forward_left_pair_1 <= forward_left_pair_1_choice;
+        forward_left_pair_2 <= forward_left_pair_2_choice;
+        forward_left_pair_3 <= forward_left_pair_3_choice;
+        forward_left_pair_4 <= forward_left_pair_4_choice;
+        forward_left_pair_5 <= forward_left_pair_5_choice;
+        forward_left_tree_smallest_0 <= forward_left_pair_1 when forward_left_pair_1 < forward_left_pair_0 else
+          forward_left_pair_0;
+        forward_left_tree_smallest_1 <= forward_left_pair_3 when forward_left_pair_3 < forward_left_pair_2 else
+          forward_left_pair_2;
+        forward_left_tree_smallest_2 <= forward_left_pair_5 when forward_left_pair_5 < forward_left_pair_4 else
+          forward_left_pair_4;
+        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when forward_left_tree_smallest_1 <
+          forward_left_tree_smallest_0 else forward_left_tree_smallest_0;
+        forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
+        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
+          forward_left_tree_next_smallest_1 < forward_left_tree_next_smallest_0 else forward_left_tree_next_smallest_0;
+        forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
+        forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
+        forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
+        forward_left_start_cost_3 <= 0 when sums_right_first_2 else forward_left_start_cost_2;
+        forward_left_start_cost_4 <= 0 when sums_right_first_2 else forward_left_start_cost_3;
+        forward_left_start_cost_5 <= 0 when sums_right_first_2 else forward_left_start_cost_4;
+        forward_left_start_cost_6 <= 0 when sums_right_first_2 else forward_left_start_cost_5;
+        forward_left_room <= 0 when sums_right_first_2 else (forward_left_room_choice_2 + forward_left_start_cost_6)
+          mod 32;
+        forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
+        forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
+        forward_left_first_0 <= sums_right_first_2;
+        forward_left_first_1 <= forward_left_first_0;
+        forward_left_first_2 <= forward_left_first_1;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
+        forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
+        forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_2 <= (forward_cost_0_2 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_3 <= (forward_cost_0_3 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_4 <= (forward_cost_0_4 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_5 <= (forward_cost_0_5 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_6 <= (forward_cost_0_6 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_7 <= (forward_cost_0_7 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_8 <= (forward_cost_0_8 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_9 <= (forward_cost_0_9 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_10 <= (forward_cost_0_10 - forward_left_g_copy_0) mod 64;
+        forward_left_stay_change_11 <= (forward_cost_0_11 - forward_left_g_copy_0) mod 64;
+        forward_left_step_change_0 <= (forward_cost_0_0 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_1 <= (forward_cost_0_1 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_2 <= (forward_cost_0_2 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_3 <= (forward_cost_0_3 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_4 <= (forward_cost_0_4 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_5 <= (forward_cost_0_5 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_6 <= (forward_cost_0_6 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_7 <= (forward_cost_0_7 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_8 <= (forward_cost_0_8 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_9 <= (forward_cost_0_9 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_10 <= (forward_cost_0_10 - forward_left_g_less_copy_0) mod 64;
+        forward_left_step_change_11 <= (forward_cost_0_11 - forward_left_g_less_copy_0) mod 64;
+        forward_left_cost_0 <= (forward_left_cost_0_choice_2 + forward_left_stay_change_0) mod 64;
+        forward_left_cost_1 <= (forward_left_cost_1_choice_2 + forward_left_stay_change_1) mod 64;
+        forward_left_cost_2 <= (forward_left_cost_2_choice_2 + forward_left_stay_change_2) mod 64;
+        forward_left_cost_3 <= (forward_left_cost_3_choice_2 + forward_left_stay_change_3) mod 64;
+        forward_left_cost_4 <= (forward_left_cost_4_choice_2 + forward_left_stay_change_4) mod 64;
+        forward_left_cost_5 <= (forward_left_cost_5_choice_2 + forward_left_stay_change_5) mod 64;
+        forward_left_cost_6 <= (forward_left_cost_6_choice_2 + forward_left_stay_change_6) mod 64;
+        forward_left_cost_7 <= (forward_left_cost_7_choice_2 + forward_left_stay_change_7) mod 64;
+        forward_left_cost_8 <= (forward_left_cost_8_choice_2 + forward_left_stay_change_8) mod 64;
+        forward_left_cost_9 <= (forward_left_cost_9_choice_2 + forward_left_stay_change_9) mod 64;
+        forward_left_cost_10 <= (forward_left_cost_10_choice_2 + forward_left_stay_change_10) mod 64;
+        forward_left_cost_11 <= (forward_left_cost_11_choice_2 + forward_left_stay_change_11) mod 64;
+        forward_left_arrived_0 <= (forward_left_arrived_0_choice + forward_left_step_change_0) mod 64;
+        forward_left_arrived_1 <= (forward_left_arrived_1_choice + forward_left_step_change_1) mod 64;
+        forward_left_arrived_2 <= (forward_left_arrived_2_choice + forward_left_step_change_2) mod 64;
+        forward_left_arrived_3 <= (forward_left_arrived_3_choice_2 + forward_left_step_change_3) mod 64;
+        forward_left_arrived_4 <= (forward_left_arrived_4_choice_2 + forward_left_step_change_4) mod 64;
+        forward_left_arrived_5 <= (forward_left_arrived_5_choice + forward_left_step_change_5) mod 64;
+        forward_left_arrived_6 <= (forward_left_arrived_6_choice + forward_left_step_change_6) mod 64;
+        forward_left_arrived_7 <= (forward_left_arrived_7_choice_2 + forward_left_step_change_7) mod 64;
+        forward_left_arrived_8 <= (forward_left_arrived_8_choice_2 + forward_left_step_change_8) mod 64;
+        forward_left_arrived_9 <= (forward_left_arrived_9_choice + forward_left_step_change_9) mod 64;
+        forward_left_arrived_10 <= (forward_left_arrived_10_choice + forward_left_step_change_10) mod 64;
+        forward_left_arrived_11 <= (forward_left_arrived_11_choice + forward_left_step_change_11) mod 64;
+        forward_above_ready_words_0 <= forward_above_read_words_0;
+        forward_above_ready_words_1 <= forward_above_read_words_1;
+        forward_above_ready_cost_0 <= entry_cost_0;
+        forward_above_ready_cost_1 <= entry_cost_1;
+        forward_above_ready_cost_2 <= entry_cost_2;
+        forward_above_ready_cost_3 <= entry_cost_3;
+        forward_above_ready_cost_4 <= entry_cost_4;
+        forward_above_ready_cost_5 <= entry_cost_5;
+        forward_above_ready_cost_6 <= entry_cost_6;
+        forward_above_ready_cost_7 <= entry_cost_7;
+        forward_above_ready_cost_8 <= entry_cost_8;
+        forward_above_ready_cost_9 <= entry_cost_9;
+        forward_above_ready_cost_10 <= entry_cost_10;
+        forward_above_ready_cost_11 <= entry_cost_11;
+        forward_above_ready_top <= entry_top;
+        forward_above_total_0 <= forward_above_total_0_choice + forward_above_ready_cost_0;
+        forward_above_total_1 <= forward_above_total_1_choice + forward_above_ready_cost_1;
+        forward_above_total_2 <= forward_above_total_2_choice + forward_above_ready_cost_2;
+        forward_above_total_3 <= forward_above_total_3_choice + forward_above_ready_cost_3;
+        forward_above_total_4 <= forward_above_total_4_choice + forward_above_ready_cost_4;
+        forward_above_total_5 <= forward_above_total_5_choice + forward_above_ready_cost_5;
+        forward_above_total_6 <= forward_above_total_6_choice + forward_above_ready_cost_6;
+        forward_above_total_7 <= forward_above_total_7_choice + forward_above_ready_cost_7;
+        forward_above_total_8 <= forward_above_total_8_choice + forward_above_ready_cost_8;
+        forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
+        forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
+        forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when forward_above_total_1 < forward_above_total_0 else
+          forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when forward_above_total_3 < forward_above_total_2 else
+          forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when forward_above_total_5 < forward_above_total_4 else
+          forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when forward_above_total_7 < forward_above_total_6 else
+          forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when forward_above_total_9 < forward_above_total_8 else
+          forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when forward_above_total_11 < forward_above_total_10
+          else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when forward_above_tree_smallest_1 <
+          forward_above_tree_smallest_0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when forward_above_tree_smallest_3 <
+          forward_above_tree_smallest_2 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when forward_above_tree_smallest_5 <
+          forward_above_tree_smallest_4 else forward_above_tree_smallest_4;
+        forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
+          forward_above_tree_next_smallest_1 < forward_above_tree_next_smallest_0 else
+          forward_above_tree_next_smallest_0;
+        forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
+        forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
+          forward_above_tree_next_next_smallest_1 < forward_above_tree_next_next_smallest_0 else
+          forward_above_tree_next_next_smallest_0;
+        forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
+          (forward_above_delay_ring_read_address + 1) mod 8;
+        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
+        forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_2 <= (to_integer(forward_above_delay_held_0(29 downto 12)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_3 <= (to_integer(forward_above_delay_held_0(29 downto 18)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_4 <= (to_integer(forward_above_delay_held_0(29 downto 24)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_5 <= (to_integer(forward_above_delay_held_1) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_6 <= (to_integer(forward_above_delay_held_1(29 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_7 <= (to_integer(forward_above_delay_held_1(29 downto 12)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_8 <= (to_integer(forward_above_delay_held_1(29 downto 18)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_9 <= (to_integer(forward_above_delay_held_1(29 downto 24)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_cost_10 <= (to_integer(forward_above_delay_held_2) - forward_above_smallest_copy_0) mod 64;
+        forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
+          mod 64;
+        forward_above_beside_0 <= forward_above_cost_1;
+        forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
+          forward_above_cost_0;
+        forward_above_beside_2 <= forward_above_cost_3 when forward_above_cost_3 < forward_above_cost_1 else
+          forward_above_cost_1;
+        forward_above_beside_3 <= forward_above_cost_4 when forward_above_cost_4 < forward_above_cost_2 else
+          forward_above_cost_2;
+        forward_above_beside_4 <= forward_above_cost_5 when forward_above_cost_5 < forward_above_cost_3 else
+          forward_above_cost_3;
+        forward_above_beside_5 <= forward_above_cost_6 when forward_above_cost_6 < forward_above_cost_4 else
+          forward_above_cost_4;
+        forward_above_beside_6 <= forward_above_cost_7 when forward_above_cost_7 < forward_above_cost_5 else
+          forward_above_cost_5;
+        forward_above_beside_7 <= forward_above_cost_8 when forward_above_cost_8 < forward_above_cost_6 else
+          forward_above_cost_6;
+        forward_above_beside_8 <= forward_above_cost_9 when forward_above_cost_9 < forward_above_cost_7 else
+          forward_above_cost_7;
+        forward_above_beside_9 <= forward_above_cost_10 when forward_above_cost_10 < forward_above_cost_8 else
+          forward_above_cost_8;
+        forward_above_beside_10 <= forward_above_cost_11 when forward_above_cost_11 < forward_above_cost_9 else
+          forward_above_cost_9;
+        forward_above_beside_11 <= forward_above_cost_10;
+        forward_above_own_0 <= forward_above_cost_0;
+        forward_above_own_2 <= forward_above_cost_2;
+        forward_above_own_3 <= forward_above_cost_3;
+        forward_above_own_4 <= forward_above_cost_4;
+        forward_above_own_5 <= forward_above_cost_5;
+        forward_above_own_6 <= forward_above_cost_6;
+        forward_above_own_7 <= forward_above_cost_7;
+        forward_above_own_8 <= forward_above_cost_8;
+        forward_above_own_9 <= forward_above_cost_9;
+        forward_above_own_11 <= forward_above_cost_11;
+        forward_above_step_0 <= forward_above_beside_0 + 5;
+        forward_above_step_1 <= forward_above_beside_1 + 5;
+        forward_above_step_2 <= forward_above_beside_2 + 5;
+        forward_above_step_3 <= forward_above_beside_3 + 5;
+        forward_above_step_4 <= forward_above_beside_4 + 5;
+        forward_above_step_5 <= forward_above_beside_5 + 5;
+        forward_above_step_6 <= forward_above_beside_6 + 5;
+        forward_above_step_7 <= forward_above_beside_7 + 5;
+        forward_above_step_8 <= forward_above_beside_8 + 5;
+        forward_above_step_9 <= forward_above_beside_9 + 5;
+        forward_above_step_10 <= forward_above_beside_10 + 5;
+        forward_above_step_11 <= forward_above_beside_11 + 5;
+        forward_above_stay_0 <= forward_above_own_0 mod 32 when forward_above_own_0 < 22 else 22;
+        forward_above_stay_1 <= forward_above_beside_0 mod 32 when forward_above_beside_0 < 22 else 22;
+        forward_above_stay_2 <= forward_above_own_2 mod 32 when forward_above_own_2 < 22 else 22;
+        forward_above_stay_3 <= forward_above_own_3 mod 32 when forward_above_own_3 < 22 else 22;
+        forward_above_stay_4 <= forward_above_own_4 mod 32 when forward_above_own_4 < 22 else 22;
+        forward_above_stay_5 <= forward_above_own_5 mod 32 when forward_above_own_5 < 22 else 22;
+        forward_above_stay_6 <= forward_above_own_6 mod 32 when forward_above_own_6 < 22 else 22;
+        forward_above_stay_7 <= forward_above_own_7 mod 32 when forward_above_own_7 < 22 else 22;
+        forward_above_stay_8 <= forward_above_own_8 mod 32 when forward_above_own_8 < 22 else 22;
+        forward_above_stay_9 <= forward_above_own_9 mod 32 when forward_above_own_9 < 22 else 22;
+        forward_above_stay_10 <= forward_above_beside_11 mod 32 when forward_above_beside_11 < 22 else 22;
+        forward_above_stay_11 <= forward_above_own_11 mod 32 when forward_above_own_11 < 22 else 22;
+        forward_above_comes_0 <= entry_tag_map_column;
+        forward_above_comes_1 <= forward_above_comes_0;
+        forward_above_comes_2 <= forward_above_comes_1;
+        forward_above_comes_3 <= forward_above_comes_2;
+        forward_above_comes_4 <= sums_turn_comes_3;
+        forward_above_comes_5 <= forward_above_comes_4;
+        forward_above_comes_6 <= forward_above_comes_5;
+        forward_above_comes_7 <= forward_above_comes_6;
+        forward_above_comes_8 <= forward_above_comes_7;
+        forward_above_comes_9 <= forward_above_comes_8;
+        forward_above_column_0 <= entry_column;
+        forward_above_column_1 <= forward_above_column_0;
+        forward_above_column_2 <= forward_above_column_1;
+        forward_above_column_3 <= forward_above_column_2;
+        forward_above_column_4 <= forward_above_column_3;
+        forward_above_column_5 <= forward_above_column_4;
+        forward_above_column_6 <= forward_above_column_5;
+        forward_above_column_7 <= forward_above_column_6;
+        forward_above_column_8 <= forward_above_column_7;
+        forward_above_column_9 <= forward_above_column_8;
+        forward_sum_0 <= forward_left_cost_0 + forward_above_cost_0;
+        forward_sum_1 <= forward_left_cost_1 + forward_above_cost_1;
+        forward_sum_2 <= forward_left_cost_2 + forward_above_cost_2;
+        forward_sum_3 <= forward_left_cost_3 + forward_above_cost_3;
+        forward_sum_4 <= forward_left_cost_4 + forward_above_cost_4;
+        forward_sum_5 <= forward_left_cost_5 + forward_above_cost_5;
+        forward_sum_6 <= forward_left_cost_6 + forward_above_cost_6;
+        forward_sum_7 <= forward_left_cost_7 + forward_above_cost_7;
+        forward_sum_8 <= forward_left_cost_8 + forward_above_cost_8;
+        forward_sum_9 <= forward_left_cost_9 + forward_above_cost_9;
+        forward_sum_10 <= forward_left_cost_10 + forward_above_cost_10;
+        forward_sum_11 <= forward_left_cost_11 + forward_above_cost_11;
+        forward_first_0 <= entry_turned_first_column;
+        forward_first_1 <= forward_first_0;
+        forward_first_2 <= forward_first_1;
+        forward_first_3 <= forward_first_2;
+        forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(3 downto 0));
+        forward_cost_0_1 <= to_integer(forward_cost_delay_held_0(7 downto 0)) / 16;
+        forward_cost_0_2 <= to_integer(forward_cost_delay_held_0(11 downto 8));
+        forward_cost_0_3 <= to_integer(forward_cost_delay_held_0(15 downto 12));
+        forward_cost_0_4 <= to_integer(forward_cost_delay_held_0(19 downto 16));
+        forward_cost_0_5 <= to_integer(forward_cost_delay_held_0(23 downto 20));
+        forward_cost_0_6 <= to_integer(forward_cost_delay_held_0(27 downto 24));
+        forward_cost_0_7 <= to_integer(forward_cost_delay_held_0(31 downto 28));
+        forward_cost_0_8 <= to_integer(forward_cost_delay_held_1(3 downto 0));
+        forward_cost_0_9 <= to_integer(forward_cost_delay_held_1(7 downto 0)) / 16;
+        forward_cost_0_10 <= to_integer(forward_cost_delay_held_1(11 downto 8));
+        forward_cost_0_11 <= to_integer(forward_cost_delay_held_1(15 downto 12));
+        forward_cost_1_0 <= forward_cost_0_0;
+        forward_cost_1_1 <= forward_cost_0_1;
+        forward_cost_1_2 <= forward_cost_0_2;
+        forward_cost_1_3 <= forward_cost_0_3;
+        forward_cost_1_4 <= forward_cost_0_4;
+        forward_cost_1_5 <= forward_cost_0_5;
+        forward_cost_1_6 <= forward_cost_0_6;
+        forward_cost_1_7 <= forward_cost_0_7;
+        forward_cost_1_8 <= forward_cost_0_8;
+        forward_cost_1_9 <= forward_cost_0_9;
+        forward_cost_1_10 <= forward_cost_0_10;
+        forward_cost_1_11 <= forward_cost_0_11;
+        forward_cost_2_0 <= forward_cost_1_0;
+        forward_cost_2_1 <= forward_cost_1_1;
+        forward_cost_2_2 <= forward_cost_1_2;
+        forward_cost_2_3 <= forward_cost_1_3;
+        forward_cost_2_4 <= forward_cost_1_4;
+        forward_cost_2_5 <= forward_cost_1_5;
+        forward_cost_2_6 <= forward_cost_1_6;
+        forward_cost_2_7 <= forward_cost_1_7;
+        forward_cost_2_8 <= forward_cost_1_8;
+        forward_cost_2_9 <= forward_cost_1_9;
+        forward_cost_2_10 <= forward_cost_1_10;
+        forward_cost_2_11 <= forward_cost_1_11;
+        forward_cost_3_0 <= forward_cost_2_0;
+        forward_cost_3_1 <= forward_cost_2_1;
+        forward_cost_3_2 <= forward_cost_2_2;
+        forward_cost_3_3 <= forward_cost_2_3;
+        forward_cost_3_4 <= forward_cost_2_4;
+        forward_cost_3_5 <= forward_cost_2_5;
+        forward_cost_3_6 <= forward_cost_2_6;
+        forward_cost_3_7 <= forward_cost_2_7;
+        forward_cost_3_8 <= forward_cost_2_8;
+        forward_cost_3_9 <= forward_cost_2_9;
+        forward_cost_3_10 <= forward_cost_2_10;
+        forward_cost_3_11 <= forward_cost_2_11;
+        forward_smallest_cost_1 <= forward_left_smallest;
+        forward_smallest_cost_2 <= forward_smallest_cost_1;
+        forward_smallest_cost_3 <= forward_smallest_cost_2;
+        forward_smallest_cost_4 <= forward_smallest_cost_3;
+      end if;
+      forward_above_write_words_0_choice := forward_above_step_4 when forward_above_step_4 < forward_above_stay_4 else
+        forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when forward_above_step_5 < forward_above_stay_5
+        else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when forward_above_step_3 < forward_above_stay_3
+        else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when forward_above_step_2 < forward_above_stay_2
+        else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when forward_above_step_0 < forward_above_stay_0
+        else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when forward_above_step_1 < forward_above_stay_1
+        else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when forward_above_step_10 < forward_above_stay_10
+        else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when forward_above_step_11 < forward_above_stay_11
+        else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when forward_above_step_9 < forward_above_stay_9
+        else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when forward_above_step_8 < forward_above_stay_8
+        else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when forward_above_step_6 < forward_above_stay_6
+        else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when forward_above_step_7 < forward_above_stay_7
+        else forward_above_stay_7;
+      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
+      if forward_above_write_words_0_all then
+        forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
+          20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
+          (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
+          (to_unsigned(forward_above_write_words_0_choice_4, 22) & to_unsigned(0, 10)))) or
+          (to_unsigned(forward_above_write_words_0_choice_5, 32)))) or
+          (to_unsigned(forward_above_write_words_0_choice_6, 27) & to_unsigned(0, 5)));
+        forward_above_write_words_1 <= ((((((((((to_unsigned(forward_above_write_words_1_choice, 12) & to_unsigned(0,
+          20)) or (to_unsigned(forward_above_write_words_1_choice_2, 7) & to_unsigned(0, 25)))) or
+          (to_unsigned(forward_above_write_words_1_choice_3, 17) & to_unsigned(0, 15)))) or
+          (to_unsigned(forward_above_write_words_1_choice_4, 22) & to_unsigned(0, 10)))) or
+          (to_unsigned(forward_above_write_words_1_choice_5, 32)))) or
+          (to_unsigned(forward_above_write_words_1_choice_6, 27) & to_unsigned(0, 5)));
+        forward_above_write_column <= forward_above_column_9;
+      end if;
+      -- sums
+      sums_right_pair_0_choice := sums_right_cost_2 when sums_right_cost_2 < sums_right_cost_0 else sums_right_cost_0;
+      sums_right_pair_1_choice := sums_right_cost_3 when sums_right_cost_3 < sums_right_cost_1 else sums_right_cost_1;
+      sums_right_pair_2_choice := sums_right_cost_6 when sums_right_cost_6 < sums_right_cost_4 else sums_right_cost_4;
+      sums_right_pair_3_choice := sums_right_cost_7 when sums_right_cost_7 < sums_right_cost_5 else sums_right_cost_5;
+      sums_right_pair_4_choice := sums_right_cost_10 when sums_right_cost_10 < sums_right_cost_8 else sums_right_cost_8;
+      sums_right_pair_5_choice := sums_right_cost_11 when sums_right_cost_11 < sums_right_cost_9 else sums_right_cost_9;
+      sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
+      if sums_right_start_cost_0_value then
+        sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
+          ((sums_right_tree_next_next_smallest_0 + sums_right_room) mod 32);
+      else
+        sums_right_start_cost_0_choice := 0;
+      end if;
+      if (sums_right_tree_next_next_smallest_0 / 32) = 1 then
+        sums_right_start_cost_0_choice_2 := sums_right_room;
+      else
+        sums_right_start_cost_0_choice_2 := sums_right_start_cost_0_choice;
+      end if;
+      if sums_right_start_cost_0_value then
+        sums_right_room_choice := (0 - sums_right_tree_next_next_smallest_0) mod 32;
+      else
+        sums_right_room_choice := sums_right_room;
+      end if;
+      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
+      sums_right_cost_0_choice := sums_right_arrived_0 when sums_right_arrived_0 < sums_right_cost_0 else
+        sums_right_cost_0;
+      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_0_choice;
+      sums_right_cost_1_choice := sums_right_arrived_1 when sums_right_arrived_1 < sums_right_cost_1 else
+        sums_right_cost_1;
+      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_1_choice;
+      sums_right_cost_2_choice := sums_right_arrived_2 when sums_right_arrived_2 < sums_right_cost_2 else
+        sums_right_cost_2;
+      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_2_choice;
+      sums_right_cost_3_choice := sums_right_arrived_3 when sums_right_arrived_3 < sums_right_cost_3 else
+        sums_right_cost_3;
+      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_3_choice;
+      sums_right_cost_4_choice := sums_right_arrived_4 when sums_right_arrived_4 < sums_right_cost_4 else
+        sums_right_cost_4;
+      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_4_choice;
+      sums_right_cost_5_choice := sums_right_arrived_5 when sums_right_arrived_5 < sums_right_cost_5 else
+        sums_right_cost_5;
+      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_5_choice;
+      sums_right_cost_6_choice := sums_right_arrived_6 when sums_right_arrived_6 < sums_right_cost_6 else
+        sums_right_cost_6;
+      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_6_choice;
+      sums_right_cost_7_choice := sums_right_arrived_7 when sums_right_arrived_7 < sums_right_cost_7 else
+        sums_right_cost_7;
+      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_7_choice;
+      sums_right_cost_8_choice := sums_right_arrived_8 when sums_right_arrived_8 < sums_right_cost_8 else
+        sums_right_cost_8;
+      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_8_choice;
+      sums_right_cost_9_choice := sums_right_arrived_9 when sums_right_arrived_9 < sums_right_cost_9 else
+        sums_right_cost_9;
+      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_9_choice;
+      sums_right_cost_10_choice := sums_right_arrived_10 when sums_right_arrived_10 < sums_right_cost_10 else
+        sums_right_cost_10;
+      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_10_choice;
+      sums_right_cost_11_choice := sums_right_arrived_11 when sums_right_arrived_11 < sums_right_cost_11 else
+        sums_right_cost_11;
+      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 else
+        sums_right_cost_11_choice;
+      sums_right_arrived_0_choice := 32 when forward_first_3 else sums_right_cost_1;
+      sums_right_arrived_1_choice := 32 when forward_first_3 else sums_right_pair_0_choice;
+      sums_right_arrived_2_choice := 32 when forward_first_3 else sums_right_pair_1_choice;
+      sums_right_arrived_3_choice := sums_right_cost_4 when sums_right_cost_4 < sums_right_cost_2 else
+        sums_right_cost_2;
+      sums_right_arrived_3_choice_2 := 32 when forward_first_3 else sums_right_arrived_3_choice;
+      sums_right_arrived_4_choice := sums_right_cost_5 when sums_right_cost_5 < sums_right_cost_3 else
+        sums_right_cost_3;
+      sums_right_arrived_4_choice_2 := 32 when forward_first_3 else sums_right_arrived_4_choice;
+      sums_right_arrived_5_choice := 32 when forward_first_3 else sums_right_pair_2_choice;
+      sums_right_arrived_6_choice := 32 when forward_first_3 else sums_right_pair_3_choice;
+      sums_right_arrived_7_choice := sums_right_cost_8 when sums_right_cost_8 < sums_right_cost_6 else
+        sums_right_cost_6;
+      sums_right_arrived_7_choice_2 := 32 when forward_first_3 else sums_right_arrived_7_choice;
+      sums_right_arrived_8_choice := sums_right_cost_9 when sums_right_cost_9 < sums_right_cost_7 else
+        sums_right_cost_7;
+      sums_right_arrived_8_choice_2 := 32 when forward_first_3 else sums_right_arrived_8_choice;
+      sums_right_arrived_9_choice := 32 when forward_first_3 else sums_right_pair_4_choice;
+      sums_right_arrived_10_choice := 32 when forward_first_3 else sums_right_pair_5_choice;
+      sums_right_arrived_11_choice := 32 when forward_first_3 else sums_right_cost_10;
+      if entry_tag_valid then
+        sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
+        sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
+        sums_turn_ready_sums_2 <= to_integer(sums_turn_read_sums_2);
+        sums_turn_ready_costs_0 <= sums_turn_read_costs_0;
+        sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
+        sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
+        sums_turn_ready_first <= entry_tag_first_cost;
+        sums_turn_comes_0 <= entry_tag_map_column;
+        sums_turn_comes_1 <= sums_turn_comes_0;
+        sums_turn_comes_2 <= sums_turn_comes_1;
+        sums_turn_comes_3 <= sums_turn_comes_2;
+        sums_turn_comes_4 <= forward_above_comes_3;
+        sums_turn_place_0 <= entry_place;
+        sums_turn_place_1 <= sums_turn_place_0;
+        sums_turn_place_2 <= sums_turn_place_1;
+        sums_turn_place_3 <= sums_turn_place_2;
+        sums_turn_place_4 <= sums_turn_place_3;
+        sums_turn_place_5 <= sums_turn_place_4;
+        sums_turn_place_6 <= sums_turn_place_5;
+        sums_turn_place_7 <= sums_turn_place_6;
+        sums_turn_place_8 <= sums_turn_place_7;
+        sums_cost_0_0 <= to_integer(sums_turn_ready_costs_0(3 downto 0));
+        sums_cost_0_1 <= to_integer(sums_turn_ready_costs_0(7 downto 0)) / 16;
+        sums_cost_0_2 <= to_integer(sums_turn_ready_costs_0(11 downto 8));
+        sums_cost_0_3 <= to_integer(sums_turn_ready_costs_0(15 downto 12));
+        sums_cost_0_4 <= to_integer(sums_turn_ready_costs_0(19 downto 16));
+        sums_cost_0_5 <= to_integer(sums_turn_ready_costs_0(23 downto 20));
+        sums_cost_0_6 <= to_integer(sums_turn_ready_costs_0(27 downto 24));
+        sums_cost_0_7 <= to_integer(sums_turn_ready_costs_0(31 downto 28));
+        sums_cost_0_8 <= sums_turn_ready_costs_1 mod 16;
+        sums_cost_0_9 <= (sums_turn_ready_costs_1 mod 256) / 16;
+        sums_cost_0_10 <= (sums_turn_ready_costs_1 / 256) mod 16;
+        sums_cost_0_11 <= sums_turn_ready_costs_1 / 4096;
+        sums_cost_1_0 <= sums_cost_0_0;
+        sums_cost_1_1 <= sums_cost_0_1;
+        sums_cost_1_2 <= sums_cost_0_2;
+        sums_cost_1_3 <= sums_cost_0_3;
+        sums_cost_1_4 <= sums_cost_0_4;
+        sums_cost_1_5 <= sums_cost_0_5;
+        sums_cost_1_6 <= sums_cost_0_6;
+        sums_cost_1_7 <= sums_cost_0_7;
+        sums_cost_1_8 <= sums_cost_0_8;
+        sums_cost_1_9 <= sums_cost_0_9;
+        sums_cost_1_10 <= sums_cost_0_10;
+        sums_cost_1_11 <= sums_cost_0_11;
+        sums_right_pair_0 <= sums_right_pair_0_choice;
+        sums_right_pair_1 <= sums_right_pair_1_choice;
+        sums_right_pair_2 <= sums_right_pair_2_choice;
+        sums_right_pair_3 <= sums_right_pair_3_choice;
+        sums_right_pair_4 <= sums_right_pair_4_choice;
+        sums_right_pair_5 <= sums_right_pair_5_choice;
+        sums_right_tree_smallest_0 <= sums_right_pair_1 when sums_right_pair_1 < sums_right_pair_0 else
+          sums_right_pair_0;
+        sums_right_tree_smallest_1 <= sums_right_pair_3 when sums_right_pair_3 < sums_right_pair_2 else
+          sums_right_pair_2;
+        sums_right_tree_smallest_2 <= sums_right_pair_5 when sums_right_pair_5 < sums_right_pair_4 else
+          sums_right_pair_4;
+        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when sums_right_tree_smallest_1 <
+          sums_right_tree_smallest_0 else sums_right_tree_smallest_0;
+        sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
+        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when sums_right_tree_next_smallest_1 <
+          sums_right_tree_next_smallest_0 else sums_right_tree_next_smallest_0;
+        sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
+        sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
+        sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
+        sums_right_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_2;
+        sums_right_start_cost_4 <= 0 when forward_first_0 else sums_right_start_cost_3;
+        sums_right_start_cost_5 <= 0 when forward_first_0 else sums_right_start_cost_4;
+        sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
+        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        sums_right_smallest <= sums_turn_ready_smallest_0;
+        sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 59) mod 64;
+        sums_right_first_0 <= sums_turn_ready_first;
+        sums_right_first_1 <= sums_right_first_0;
+        sums_right_first_2 <= sums_right_first_1;
+        sums_right_g_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest) mod 64;
+        sums_right_g_less_copy_0 <= (sums_right_start_cost_0 + sums_right_smallest_less) mod 64;
+        sums_right_stay_change_0 <= (sums_cost_1_0 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_1 <= (sums_cost_1_1 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_2 <= (sums_cost_1_2 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_3 <= (sums_cost_1_3 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_4 <= (sums_cost_1_4 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_5 <= (sums_cost_1_5 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_6 <= (sums_cost_1_6 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_7 <= (sums_cost_1_7 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_8 <= (sums_cost_1_8 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_9 <= (sums_cost_1_9 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_10 <= (sums_cost_1_10 - sums_right_g_copy_0) mod 64;
+        sums_right_stay_change_11 <= (sums_cost_1_11 - sums_right_g_copy_0) mod 64;
+        sums_right_step_change_0 <= (sums_cost_1_0 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_1 <= (sums_cost_1_1 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_2 <= (sums_cost_1_2 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_3 <= (sums_cost_1_3 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_4 <= (sums_cost_1_4 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_5 <= (sums_cost_1_5 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_6 <= (sums_cost_1_6 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_7 <= (sums_cost_1_7 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_8 <= (sums_cost_1_8 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_9 <= (sums_cost_1_9 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_10 <= (sums_cost_1_10 - sums_right_g_less_copy_0) mod 64;
+        sums_right_step_change_11 <= (sums_cost_1_11 - sums_right_g_less_copy_0) mod 64;
+        sums_right_cost_0 <= (sums_right_cost_0_choice_2 + sums_right_stay_change_0) mod 64;
+        sums_right_cost_1 <= (sums_right_cost_1_choice_2 + sums_right_stay_change_1) mod 64;
+        sums_right_cost_2 <= (sums_right_cost_2_choice_2 + sums_right_stay_change_2) mod 64;
+        sums_right_cost_3 <= (sums_right_cost_3_choice_2 + sums_right_stay_change_3) mod 64;
+        sums_right_cost_4 <= (sums_right_cost_4_choice_2 + sums_right_stay_change_4) mod 64;
+        sums_right_cost_5 <= (sums_right_cost_5_choice_2 + sums_right_stay_change_5) mod 64;
+        sums_right_cost_6 <= (sums_right_cost_6_choice_2 + sums_right_stay_change_6) mod 64;
+        sums_right_cost_7 <= (sums_right_cost_7_choice_2 + sums_right_stay_change_7) mod 64;
+        sums_right_cost_8 <= (sums_right_cost_8_choice_2 + sums_right_stay_change_8) mod 64;
+        sums_right_cost_9 <= (sums_right_cost_9_choice_2 + sums_right_stay_change_9) mod 64;
+        sums_right_cost_10 <= (sums_right_cost_10_choice_2 + sums_right_stay_change_10) mod 64;
+        sums_right_cost_11 <= (sums_right_cost_11_choice_2 + sums_right_stay_change_11) mod 64;
+        sums_right_arrived_0 <= (sums_right_arrived_0_choice + sums_right_step_change_0) mod 64;
+        sums_right_arrived_1 <= (sums_right_arrived_1_choice + sums_right_step_change_1) mod 64;
+        sums_right_arrived_2 <= (sums_right_arrived_2_choice + sums_right_step_change_2) mod 64;
+        sums_right_arrived_3 <= (sums_right_arrived_3_choice_2 + sums_right_step_change_3) mod 64;
+        sums_right_arrived_4 <= (sums_right_arrived_4_choice_2 + sums_right_step_change_4) mod 64;
+        sums_right_arrived_5 <= (sums_right_arrived_5_choice + sums_right_step_change_5) mod 64;
+        sums_right_arrived_6 <= (sums_right_arrived_6_choice + sums_right_step_change_6) mod 64;
+        sums_right_arrived_7 <= (sums_right_arrived_7_choice_2 + sums_right_step_change_7) mod 64;
+        sums_right_arrived_8 <= (sums_right_arrived_8_choice_2 + sums_right_step_change_8) mod 64;
+        sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 64;
+        sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 64;
+        sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 64;
+        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
+          (sums_sum_delay_ring_read_address + 1) mod 4;
+        sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
+        sums_tags_held_0_output_column <= entry_turned_output_column;
+        sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
+        sums_tags_held_0_end_of_line <= entry_tag_end_of_line;
+        sums_tags_held_1_output_column <= sums_tags_held_0_output_column;
+        sums_tags_held_1_start_of_frame <= sums_tags_held_0_start_of_frame;
+        sums_tags_held_1_end_of_line <= sums_tags_held_0_end_of_line;
+        sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
+        sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
+        sums_tags_held_2_end_of_line <= sums_tags_held_1_end_of_line;
+        sums_tags_held_3_output_column <= sums_tags_held_2_output_column;
+        sums_tags_held_3_start_of_frame <= sums_tags_held_2_start_of_frame;
+        sums_tags_held_3_end_of_line <= sums_tags_held_2_end_of_line;
+        sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
+        sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
+        sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
+      end if;
+      sums_turn_write_sums_0_all := forward_above_comes_8 and entry_tag_valid;
+      if sums_turn_write_sums_0_all then
+        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
+          * 128);
+        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
+          * 128);
+        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
+          (forward_sum_9 * 128);
+        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
+          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
+          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
+          (forward_cost_3_9 * 16);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
+      sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
+      sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
+      sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(27 downto 14))) mod 128;
+      sums_sum_0_3 <= (sums_right_cost_3 + to_integer(sums_sum_delay_held_0(27 downto 21))) mod 128;
+      sums_sum_0_4 <= (sums_right_cost_4 + to_integer(sums_sum_delay_held_1)) mod 128;
+      sums_sum_0_5 <= (sums_right_cost_5 + to_integer(sums_sum_delay_held_1(27 downto 7))) mod 128;
+      sums_sum_0_6 <= (sums_right_cost_6 + to_integer(sums_sum_delay_held_1(27 downto 14))) mod 128;
+      sums_sum_0_7 <= (sums_right_cost_7 + to_integer(sums_sum_delay_held_1(27 downto 21))) mod 128;
+      sums_sum_0_8 <= (sums_right_cost_8 + to_integer(sums_sum_delay_held_2)) mod 128;
+      sums_sum_0_9 <= (sums_right_cost_9 + to_integer(sums_sum_delay_held_2(27 downto 7))) mod 128;
+      sums_sum_0_10 <= (sums_right_cost_10 + to_integer(sums_sum_delay_held_2(27 downto 14))) mod 128;
+      sums_sum_0_11 <= (sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21))) mod 128;
+      sums_tag_valid <= sums_tags_moved;
+      sums_tag_map_column <= sums_turn_comes_4;
+      sums_tag_output_column <= sums_tags_held_4_output_column;
+      sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
+      sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
+      sums_tags_moved <= entry_tag_valid;
+      -- winnerswinner1
+      winnerswinner1_best_index_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) =
+        1)) when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
+      winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
+        1 else ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      winnerswinner1_best_index_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+        winnerswinner1_best_index_0_0_value when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4)
+        mod 2) = 1)) or winnerswinner1_best_index_0_0_value;
+      winnerswinner1_best_index_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+        winnerswinner1_best_index_0_0_value_2 when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 /
+        8) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_2;
+      winnerswinner1_best_index_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+        winnerswinner1_best_index_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 /
+        16) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_3;
+      winnerswinner1_best_index_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+        winnerswinner1_best_index_0_0_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 /
+        32) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_4;
+      winnerswinner1_best_index_0_1_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) =
+        1)) when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
+      winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice when ((sums_sum_0_2 / 2) mod 2) =
+        1 else ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      winnerswinner1_best_index_0_1_value := ((sums_sum_0_3 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+        winnerswinner1_best_index_0_1_value when winnerswinner1_best_index_0_1_choice_2 else (not (((sums_sum_0_2 / 4)
+        mod 2) = 1)) or winnerswinner1_best_index_0_1_value;
+      winnerswinner1_best_index_0_1_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+        winnerswinner1_best_index_0_1_value_2 when winnerswinner1_best_index_0_1_choice_3 else (not (((sums_sum_0_2 /
+        8) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_2;
+      winnerswinner1_best_index_0_1_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+        winnerswinner1_best_index_0_1_value_3 when winnerswinner1_best_index_0_1_choice_4 else (not (((sums_sum_0_2 /
+        16) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_3;
+      winnerswinner1_best_index_0_1_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_1_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+        winnerswinner1_best_index_0_1_value_4 when winnerswinner1_best_index_0_1_choice_5 else (not (((sums_sum_0_2 /
+        32) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_4;
+      winnerswinner1_best_index_0_1_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
+        winnerswinner1_best_index_0_1_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
+      winnerswinner1_best_index_0_2_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) =
+        1)) when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
+      winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice when ((sums_sum_0_4 / 2) mod 2) =
+        1 else ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      winnerswinner1_best_index_0_2_value := ((sums_sum_0_5 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+        winnerswinner1_best_index_0_2_value when winnerswinner1_best_index_0_2_choice_2 else (not (((sums_sum_0_4 / 4)
+        mod 2) = 1)) or winnerswinner1_best_index_0_2_value;
+      winnerswinner1_best_index_0_2_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+        winnerswinner1_best_index_0_2_value_2 when winnerswinner1_best_index_0_2_choice_3 else (not (((sums_sum_0_4 /
+        8) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_2;
+      winnerswinner1_best_index_0_2_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+        winnerswinner1_best_index_0_2_value_3 when winnerswinner1_best_index_0_2_choice_4 else (not (((sums_sum_0_4 /
+        16) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_3;
+      winnerswinner1_best_index_0_2_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_2_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+        winnerswinner1_best_index_0_2_value_4 when winnerswinner1_best_index_0_2_choice_5 else (not (((sums_sum_0_4 /
+        32) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_4;
+      winnerswinner1_best_index_0_2_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
+        winnerswinner1_best_index_0_2_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
+      winnerswinner1_best_index_0_3_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) =
+        1)) when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
+      winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice when ((sums_sum_0_6 / 2) mod 2) =
+        1 else ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      winnerswinner1_best_index_0_3_value := ((sums_sum_0_7 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+        winnerswinner1_best_index_0_3_value when winnerswinner1_best_index_0_3_choice_2 else (not (((sums_sum_0_6 / 4)
+        mod 2) = 1)) or winnerswinner1_best_index_0_3_value;
+      winnerswinner1_best_index_0_3_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+        winnerswinner1_best_index_0_3_value_2 when winnerswinner1_best_index_0_3_choice_3 else (not (((sums_sum_0_6 /
+        8) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_2;
+      winnerswinner1_best_index_0_3_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+        winnerswinner1_best_index_0_3_value_3 when winnerswinner1_best_index_0_3_choice_4 else (not (((sums_sum_0_6 /
+        16) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_3;
+      winnerswinner1_best_index_0_3_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_3_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+        winnerswinner1_best_index_0_3_value_4 when winnerswinner1_best_index_0_3_choice_5 else (not (((sums_sum_0_6 /
+        32) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_4;
+      winnerswinner1_best_index_0_3_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
+        winnerswinner1_best_index_0_3_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
+      winnerswinner1_best_index_0_4_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) =
+        1)) when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
+      winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice when ((sums_sum_0_8 / 2) mod 2) =
+        1 else ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      winnerswinner1_best_index_0_4_value := ((sums_sum_0_9 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+        winnerswinner1_best_index_0_4_value when winnerswinner1_best_index_0_4_choice_2 else (not (((sums_sum_0_8 / 4)
+        mod 2) = 1)) or winnerswinner1_best_index_0_4_value;
+      winnerswinner1_best_index_0_4_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+        winnerswinner1_best_index_0_4_value_2 when winnerswinner1_best_index_0_4_choice_3 else (not (((sums_sum_0_8 /
+        8) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_2;
+      winnerswinner1_best_index_0_4_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+        winnerswinner1_best_index_0_4_value_3 when winnerswinner1_best_index_0_4_choice_4 else (not (((sums_sum_0_8 /
+        16) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_3;
+      winnerswinner1_best_index_0_4_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_4_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+        winnerswinner1_best_index_0_4_value_4 when winnerswinner1_best_index_0_4_choice_5 else (not (((sums_sum_0_8 /
+        32) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_4;
+      winnerswinner1_best_index_0_4_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
+        winnerswinner1_best_index_0_4_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
+      winnerswinner1_best_index_0_5_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+        1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
+      winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice when ((sums_sum_0_10 / 2) mod 2) =
+        1 else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      winnerswinner1_best_index_0_5_value := ((sums_sum_0_11 / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+        winnerswinner1_best_index_0_5_value when winnerswinner1_best_index_0_5_choice_2 else (not (((sums_sum_0_10 / 4)
+        mod 2) = 1)) or winnerswinner1_best_index_0_5_value;
+      winnerswinner1_best_index_0_5_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+        winnerswinner1_best_index_0_5_value_2 when winnerswinner1_best_index_0_5_choice_3 else (not (((sums_sum_0_10 /
+        8) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_2;
+      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+        winnerswinner1_best_index_0_5_value_3 when winnerswinner1_best_index_0_5_choice_4 else (not (((sums_sum_0_10 /
+        16) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_3;
+      winnerswinner1_best_index_0_5_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_5_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+        winnerswinner1_best_index_0_5_value_4 when winnerswinner1_best_index_0_5_choice_5 else (not (((sums_sum_0_10 /
+        32) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_4;
+      winnerswinner1_best_index_0_5_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
+        winnerswinner1_best_index_0_5_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
+      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when sums_sum_0_1 < sums_sum_0_0 else sums_sum_0_0;
+      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when sums_sum_0_3 < sums_sum_0_2 else sums_sum_0_2;
+      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when sums_sum_0_5 < sums_sum_0_4 else sums_sum_0_4;
+      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when sums_sum_0_7 < sums_sum_0_6 else sums_sum_0_6;
+      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when sums_sum_0_9 < sums_sum_0_8 else sums_sum_0_8;
+      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when sums_sum_0_11 < sums_sum_0_10 else sums_sum_0_10;
+      winnerswinner1_best_index_0_0 <= ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
+        winnerswinner1_best_index_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
+      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_7 else 2;
+      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_7 else 4;
+      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_7 else 6;
+      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_7 else 8;
+      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_7 else 10;
+      winnerswinner1_tag_valid <= sums_tag_valid;
+      winnerswinner1_tag_map_column <= sums_tag_map_column;
+      winnerswinner1_tag_output_column <= sums_tag_output_column;
+      winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
+      winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      -- winnerswinner2
+      winnerswinner2_best_index_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+        ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
+        (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
+      winnerswinner2_best_index_0_0_choice_2 := winnerswinner2_best_index_0_0_choice when
+        ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
+        ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      winnerswinner2_best_index_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner2_best_index_0_0_value when winnerswinner2_best_index_0_0_choice_2 else (not
+        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_0_value;
+      winnerswinner2_best_index_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_2 when winnerswinner2_best_index_0_0_choice_3 else (not
+        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_2;
+      winnerswinner2_best_index_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_3 when winnerswinner2_best_index_0_0_choice_4 else (not
+        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_3;
+      winnerswinner2_best_index_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
+        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
+      winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_best_index_0_0_choice_6 else
+        ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
+        ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when (winnerswinner1_best_cost_0_2 mod 2) = 1 else not
+        (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
+      winnerswinner2_best_index_0_1_choice_2 := winnerswinner2_best_index_0_1_choice when
+        ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_2 mod 2) = 1) and
+        ((winnerswinner1_best_cost_0_3 mod 4) = 0);
+      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
+        winnerswinner2_best_index_0_1_value when winnerswinner2_best_index_0_1_choice_2 else (not
+        (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_1_value;
+      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_2 when winnerswinner2_best_index_0_1_choice_3 else (not
+        (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_2;
+      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_3 when winnerswinner2_best_index_0_1_choice_4 else (not
+        (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_3;
+      winnerswinner2_best_index_0_1_value_4 := ((winnerswinner1_best_cost_0_3 / 32) mod 2) = 1;
+      winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
+        winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
+        (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
+      winnerswinner2_best_index_0_1_choice_7 := ((winnerswinner1_best_cost_0_2 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_3 / 64) = 1)) when winnerswinner2_best_index_0_1_choice_6 else
+        ((winnerswinner1_best_cost_0_2 / 64) = 1) or (not ((winnerswinner1_best_cost_0_3 / 64) = 1));
+      winnerswinner2_best_index_0_2_choice := (not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not
+        ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when (winnerswinner1_best_cost_0_4 mod 2) = 1 else not
+        (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1);
+      winnerswinner2_best_index_0_2_choice_2 := winnerswinner2_best_index_0_2_choice when
+        ((winnerswinner1_best_cost_0_4 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_4 mod 2) = 1) and
+        ((winnerswinner1_best_cost_0_5 mod 4) = 0);
+      winnerswinner2_best_index_0_2_value := ((winnerswinner1_best_cost_0_5 / 4) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_3 := (not (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) and
+        winnerswinner2_best_index_0_2_value when winnerswinner2_best_index_0_2_choice_2 else (not
+        (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_2_value;
+      winnerswinner2_best_index_0_2_value_2 := ((winnerswinner1_best_cost_0_5 / 8) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_4 := (not (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_2 when winnerswinner2_best_index_0_2_choice_3 else (not
+        (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_2;
+      winnerswinner2_best_index_0_2_value_3 := ((winnerswinner1_best_cost_0_5 / 16) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_5 := (not (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_3 when winnerswinner2_best_index_0_2_choice_4 else (not
+        (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_3;
+      winnerswinner2_best_index_0_2_value_4 := ((winnerswinner1_best_cost_0_5 / 32) mod 2) = 1;
+      winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
+        winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
+        (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
+      winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
+        ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
+      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner1_best_cost_0_1 <
+        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
+        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
+      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
+        winnerswinner1_best_cost_0_4 else winnerswinner1_best_cost_0_4;
+      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_7 else
+        as_number(winnerswinner1_best_index_0_0);
+      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_7 else
+        winnerswinner1_best_index_0_2;
+      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_7 else
+        winnerswinner1_best_index_0_4;
+      winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
+      winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
+      winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
+      winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
+      winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      -- winnerswinner3
+      winnerswinner3_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not
+        ((winnerswinner2_best_cost_0_1 mod 2) = 1)) when (winnerswinner2_best_cost_0_0 mod 2) = 1 else not
+        (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1);
+      winnerswinner3_best_index_0_0_choice_2 := winnerswinner3_best_index_0_0_choice when
+        ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner2_best_cost_0_0 mod 2) = 1) and
+        ((winnerswinner2_best_cost_0_1 mod 4) = 0);
+      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner3_best_index_0_0_value when winnerswinner3_best_index_0_0_choice_2 else (not
+        (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner3_best_index_0_0_value;
+      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_2 when winnerswinner3_best_index_0_0_choice_3 else (not
+        (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_2;
+      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_3 when winnerswinner3_best_index_0_0_choice_4 else (not
+        (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_3;
+      winnerswinner3_best_index_0_0_value_4 := ((winnerswinner2_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
+        (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
+      winnerswinner3_best_index_0_0_choice_7 := ((winnerswinner2_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_cost_0_1 / 64) = 1)) when winnerswinner3_best_index_0_0_choice_6 else
+        ((winnerswinner2_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_1 / 64) = 1));
+      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner2_best_cost_0_1 <
+        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
+      winnerswinner3_best_cost_0_1 <= winnerswinner2_best_cost_0_2;
+      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_7 else
+        winnerswinner2_best_index_0_0;
+      winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
+      winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
+      winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
+      winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
+      winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
+      winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
+      -- winnerswinner4
+      winnerswinner4_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1)) or (not
+        ((winnerswinner3_best_cost_0_1 mod 2) = 1)) when (winnerswinner3_best_cost_0_0 mod 2) = 1 else not
+        (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1);
+      winnerswinner4_best_index_0_0_choice_2 := winnerswinner4_best_index_0_0_choice when
+        ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner3_best_cost_0_0 mod 2) = 1) and
+        ((winnerswinner3_best_cost_0_1 mod 4) = 0);
+      winnerswinner4_best_index_0_0_value := ((winnerswinner3_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
+        (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
+      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner3_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
+        (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
+      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner3_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
+        (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
+      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner3_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
+        (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
+      winnerswinner4_best_index_0_0_choice_7 := ((winnerswinner3_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner3_best_cost_0_1 / 64) = 1)) when winnerswinner4_best_index_0_0_choice_6 else
+        ((winnerswinner3_best_cost_0_0 / 64) = 1) or (not ((winnerswinner3_best_cost_0_1 / 64) = 1));
+      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_7 else
+        winnerswinner3_best_index_0_0;
+      winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
+      winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
+      winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
+      winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
+      winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      -- winners
+      winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
+      winners_best_tag_valid <= winnerswinner4_tag_valid;
+      winners_best_tag_map_column <= winnerswinner4_tag_map_column;
+      winners_best_tag_output_column <= winnerswinner4_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
+      winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
+      -- turn
+      turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_address_choice := 0 when turn_order_falls else 7;
+      turn_order_address_all_2 := winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
+      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
+      turn_order_turned_output_column_all := turn_order_output and turn_order_complete;
+      turn_order_turned_output_column_choice := winners_best_tag_map_column when turn_order_address_all else
+        turn_order_held_output and winners_best_tag_map_column;
+      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
+        + turn_order_address) mod 32;
+      turn_order_falls <= turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid) when
+        turn_order_falls else turn_order_address_all;
+      turn_order_complete <= winners_best_tag_end_of_line or (not winners_best_tag_map_column) or (not
+        winners_best_tag_valid) when turn_order_complete else winners_best_tag_end_of_line and
+        winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_turned_valid <= winners_best_tag_valid;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
+        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
+        winners_best_tag_map_column;
+      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
+        winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
+      turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
+      turn_newest <= winners_best_index_0_0 + 256;
+      turn_comes <= turn_order_address_all_2;
+      turn_read_tag_valid <= turn_order_turned_valid;
+      turn_read_tag_output_column <= turn_order_turned_output_column;
+      turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
+      turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
+      turn_ready <= to_integer(turn_read_words_0);
+      turn_ready_tag_valid <= turn_read_tag_valid;
+      turn_ready_tag_output_column <= turn_read_tag_output_column;
+      turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
+      turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if winners_best_tag_valid then
+        turn_order_inside <= winners_best_tag_map_column;
+      end if;
+      if turn_order_address_all then
+        turn_order_output <= winners_best_tag_output_column;
+        turn_order_first <= winners_best_tag_start_of_frame;
+        turn_order_held_output <= turn_order_turned_output_column_all;
+      end if;
+      if turn_comes then
+        turn_write_words_0 <= turn_newest;
+        turn_write_place <= turn_order_address;
+      end if;
+      -- other
+      other_2_is_less := slice2cost_difference_0_1 < 0;
+      if other_2_is_less then
+        other_2_choice := (65535 - slice2cost_difference_0_1) mod 256;
+      else
+        other_2_choice := positive_part(slice2cost_difference_0_1);
+      end if;
+      other_2_choice_2 := 0 when slice0window_tag_border_column else ((other_2_choice + as_number(other_2_is_less)) mod
+        256) / 8;
+      other_3_is_less := slice2cost_difference_0_0 < 0;
+      if other_3_is_less then
+        other_3_choice := (65535 - slice2cost_difference_0_0) mod 256;
+      else
+        other_3_choice := positive_part(slice2cost_difference_0_0);
+      end if;
+      other_3_choice_2 := 0 when slice0window_tag_border_column else ((other_3_choice + as_number(other_3_is_less)) mod
+        256) / 8;
+      other_9_is_less := slice1cost_difference_0_4 < 0;
+      if other_9_is_less then
+        other_9_choice := (65535 - slice1cost_difference_0_4) mod 256;
+      else
+        other_9_choice := positive_part(slice1cost_difference_0_4);
+      end if;
+      other_9_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_9_choice + as_number(other_9_is_less))
+        mod 256) / 8;
+      other_10_is_less := slice1cost_difference_0_3 < 0;
+      if other_10_is_less then
+        other_10_choice := (65535 - slice1cost_difference_0_3) mod 256;
+      else
+        other_10_choice := positive_part(slice1cost_difference_0_3);
+      end if;
+      other_10_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_10_choice +
+        as_number(other_10_is_less)) mod 256) / 8;
+      other_11_is_less := slice1cost_difference_0_2 < 0;
+      if other_11_is_less then
+        other_11_choice := (65535 - slice1cost_difference_0_2) mod 256;
+      else
+        other_11_choice := positive_part(slice1cost_difference_0_2);
+      end if;
+      other_11_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_11_choice +
+        as_number(other_11_is_less)) mod 256) / 8;
+      other_12_is_less := slice1cost_difference_0_1 < 0;
+      if other_12_is_less then
+        other_12_choice := (65535 - slice1cost_difference_0_1) mod 256;
+      else
+        other_12_choice := positive_part(slice1cost_difference_0_1);
+      end if;
+      other_12_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_12_choice +
+        as_number(other_12_is_less)) mod 256) / 8;
+      other_13_is_less := slice1cost_difference_0_0 < 0;
+      if other_13_is_less then
+        other_13_choice := (65535 - slice1cost_difference_0_0) mod 256;
+      else
+        other_13_choice := positive_part(slice1cost_difference_0_0);
+      end if;
+      other_13_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_13_choice +
+        as_number(other_13_is_less)) mod 256) / 8;
+      other_19_is_less := slice0cost_difference_0_4 < 0;
+      if other_19_is_less then
+        other_19_choice := (65535 - slice0cost_difference_0_4) mod 256;
+      else
+        other_19_choice := positive_part(slice0cost_difference_0_4);
+      end if;
+      other_19_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_19_choice +
+        as_number(other_19_is_less)) mod 256) / 8;
+      other_20_is_less := slice0cost_difference_0_3 < 0;
+      if other_20_is_less then
+        other_20_choice := (65535 - slice0cost_difference_0_3) mod 256;
+      else
+        other_20_choice := positive_part(slice0cost_difference_0_3);
+      end if;
+      other_20_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_20_choice +
+        as_number(other_20_is_less)) mod 256) / 8;
+      other_21_is_less := slice0cost_difference_0_2 < 0;
+      if other_21_is_less then
+        other_21_choice := (65535 - slice0cost_difference_0_2) mod 256;
+      else
+        other_21_choice := positive_part(slice0cost_difference_0_2);
+      end if;
+      other_21_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_21_choice +
+        as_number(other_21_is_less)) mod 256) / 8;
+      other_22_is_less := slice0cost_difference_0_1 < 0;
+      if other_22_is_less then
+        other_22_choice := (65535 - slice0cost_difference_0_1) mod 256;
+      else
+        other_22_choice := positive_part(slice0cost_difference_0_1);
+      end if;
+      other_22_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_22_choice +
+        as_number(other_22_is_less)) mod 256) / 8;
+      other_23_is_less := slice0cost_difference_0_0 < 0;
+      if other_23_is_less then
+        other_23_choice := (65535 - slice0cost_difference_0_0) mod 256;
+      else
+        other_23_choice := positive_part(slice0cost_difference_0_0);
+      end if;
+      other_23_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_23_choice +
+        as_number(other_23_is_less)) mod 256) / 8;
+      other_0 <= other_2;
+      other_1 <= other_3;
+      other_2 <= other_2_choice_2 * 8;
+      other_3 <= other_3_choice_2 * 8;
+      other_4 <= other_9;
+      other_5 <= other_10;
+      other_6 <= other_11;
+      other_7 <= other_12;
+      other_8 <= other_13;
+      other_9 <= other_9_choice_2 * 8;
+      other_10 <= other_10_choice_2 * 8;
+      other_11 <= other_11_choice_2 * 8;
+      other_12 <= other_12_choice_2 * 8;
+      other_13 <= other_13_choice_2 * 8;
+      other_14 <= other_19;
+      other_15 <= other_20;
+      other_16 <= other_21;
+      other_17 <= other_22;
+      other_18 <= other_23;
+      other_19 <= other_19_choice_2 * 8;
+      other_20 <= other_20_choice_2 * 8;
+      other_21 <= other_21_choice_2 * 8;
+      other_22 <= other_22_choice_2 * 8;
+      other_23 <= other_23_choice_2 * 8;
+      if reset = '1' then
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 12;
+        delay_tag_valid <= false;
+        delay_tag_first_cost <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_tag_valid <= false;
+        rows_tag_first_cost <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_first_cost <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_first_cost <= false;
+        slice0cost_difference_tag_map_column <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_first_cost <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_first_cost <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0_tag_0_valid <= false;
+        slice0_tag_0_first_cost <= false;
+        slice0_tag_0_map_column <= false;
+        slice0_tag_0_output_column <= false;
+        slice0_tag_0_start_of_frame <= false;
+        slice0_tag_0_end_of_line <= false;
+        slice0_tag_1_valid <= false;
+        slice0_tag_1_first_cost <= false;
+        slice0_tag_1_map_column <= false;
+        slice0_tag_1_output_column <= false;
+        slice0_tag_1_start_of_frame <= false;
+        slice0_tag_1_end_of_line <= false;
+        slice0_tag_2_valid <= false;
+        slice0_tag_2_first_cost <= false;
+        slice0_tag_2_map_column <= false;
+        slice0_tag_2_output_column <= false;
+        slice0_tag_2_start_of_frame <= false;
+        slice0_tag_2_end_of_line <= false;
+        entry_next_tag_valid <= false;
+        entry_next_tag_map_column <= false;
+        entry_next_tag_output_column <= false;
+        entry_next_tag_end_of_line <= false;
+        entry_next_column <= 0;
+        entry_order_address <= 0;
+        entry_order_falls <= false;
+        entry_order_complete <= false;
+        entry_order_output <= false;
+        entry_order_first <= false;
+        entry_order_held_output <= false;
+        entry_order_turned_output_column <= false;
+        entry_order_turned_start_of_frame <= false;
+        entry_tag_valid <= false;
+        entry_tag_map_column <= false;
+        entry_tag_end_of_line <= false;
+        entry_column <= 0;
+        entry_place <= 0;
+        entry_turned_output_column <= false;
+        entry_turned_start_of_frame <= false;
+        forward_cost_delay_ring_read_address <= 1;
+        forward_cost_delay_ring_write_address <= 0;
+        forward_above_delay_ring_read_address <= 1;
+        forward_above_delay_ring_write_address <= 0;
+        forward_above_comes_0 <= false;
+        forward_above_comes_1 <= false;
+        forward_above_comes_2 <= false;
+        forward_above_comes_3 <= false;
+        forward_above_comes_4 <= false;
+        forward_above_comes_5 <= false;
+        forward_above_comes_6 <= false;
+        forward_above_comes_7 <= false;
+        forward_above_comes_8 <= false;
+        forward_above_comes_9 <= false;
+        forward_above_column_0 <= 0;
+        forward_above_column_1 <= 0;
+        forward_above_column_2 <= 0;
+        forward_above_column_3 <= 0;
+        forward_above_column_4 <= 0;
+        forward_above_column_5 <= 0;
+        forward_above_column_6 <= 0;
+        forward_above_column_7 <= 0;
+        forward_above_column_8 <= 0;
+        forward_above_column_9 <= 0;
+        forward_above_write_column <= 0;
+        sums_turn_comes_0 <= false;
+        sums_turn_comes_1 <= false;
+        sums_turn_comes_2 <= false;
+        sums_turn_comes_3 <= false;
+        sums_turn_comes_4 <= false;
+        sums_turn_place_0 <= 0;
+        sums_turn_place_1 <= 0;
+        sums_turn_place_2 <= 0;
+        sums_turn_place_3 <= 0;
+        sums_turn_place_4 <= 0;
+        sums_turn_place_5 <= 0;
+        sums_turn_place_6 <= 0;
+        sums_turn_place_7 <= 0;
+        sums_turn_place_8 <= 0;
+        sums_turn_write_place <= 0;
+        sums_sum_delay_ring_read_address <= 1;
+        sums_sum_delay_ring_write_address <= 0;
+        sums_tag_valid <= false;
+        sums_tag_map_column <= false;
+        sums_tag_output_column <= false;
+        sums_tag_start_of_frame <= false;
+        sums_tag_end_of_line <= false;
+        sums_tags_held_0_output_column <= false;
+        sums_tags_held_0_start_of_frame <= false;
+        sums_tags_held_0_end_of_line <= false;
+        sums_tags_held_1_output_column <= false;
+        sums_tags_held_1_start_of_frame <= false;
+        sums_tags_held_1_end_of_line <= false;
+        sums_tags_held_2_output_column <= false;
+        sums_tags_held_2_start_of_frame <= false;
+        sums_tags_held_2_end_of_line <= false;
+        sums_tags_held_3_output_column <= false;
+        sums_tags_held_3_start_of_frame <= false;
+        sums_tags_held_3_end_of_line <= false;
+        sums_tags_held_4_output_column <= false;
+        sums_tags_held_4_start_of_frame <= false;
+        sums_tags_held_4_end_of_line <= false;
+        sums_tags_moved <= false;
+        winnerswinner1_tag_valid <= false;
+        winnerswinner1_tag_map_column <= false;
+        winnerswinner1_tag_output_column <= false;
+        winnerswinner1_tag_start_of_frame <= false;
+        winnerswinner1_tag_end_of_line <= false;
+        winnerswinner2_tag_valid <= false;
+        winnerswinner2_tag_map_column <= false;
+        winnerswinner2_tag_output_column <= false;
+        winnerswinner2_tag_start_of_frame <= false;
+        winnerswinner2_tag_end_of_line <= false;
+        winnerswinner3_tag_valid <= false;
+        winnerswinner3_tag_map_column <= false;
+        winnerswinner3_tag_output_column <= false;
+        winnerswinner3_tag_start_of_frame <= false;
+        winnerswinner3_tag_end_of_line <= false;
+        winnerswinner4_tag_valid <= false;
+        winnerswinner4_tag_map_column <= false;
+        winnerswinner4_tag_output_column <= false;
+        winnerswinner4_tag_start_of_frame <= false;
+        winnerswinner4_tag_end_of_line <= false;
+        winners_best_tag_valid <= false;
+        winners_best_tag_map_column <= false;
+        winners_best_tag_output_column <= false;
+        winners_best_tag_start_of_frame <= false;
+        winners_best_tag_end_of_line <= false;
+        turn_order_address <= 0;
+        turn_order_falls <= false;
+        turn_order_inside <= false;
+        turn_order_complete <= false;
+        turn_order_output <= false;
+        turn_order_first <= false;
+        turn_order_held_output <= false;
+        turn_order_turned_valid <= false;
+        turn_order_turned_output_column <= false;
+        turn_order_turned_start_of_frame <= false;
+        turn_order_turned_end_of_line <= false;
+        turn_comes <= false;
+        turn_read_tag_valid <= false;
+        turn_read_tag_output_column <= false;
+        turn_read_tag_start_of_frame <= false;
+        turn_read_tag_end_of_line <= false;
+        turn_write_place <= 0;
+        turn_ready_tag_valid <= false;
+        turn_ready_tag_output_column <= false;
+        turn_ready_tag_start_of_frame <= false;
+        turn_ready_tag_end_of_line <= false;
+      end if;
+    end if;
+  end process;
+end architecture;
