@@ -31,7 +31,10 @@ def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
 def main() -> int:
     parser = ArgumentParser(prog="synthesize.py", description=__doc__)
     parser.add_argument(
-        "--config", action="append", metavar="NAME", help="configuration, may be repeated (default: all but planned ones)"
+        "--config",
+        action="append",
+        metavar="NAME",
+        help="configuration, may be repeated (default: all but planned ones)",
     )
     parser.add_argument(
         "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"

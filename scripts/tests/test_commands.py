@@ -117,7 +117,7 @@ def test_missing_bambu_says_where_to_get_it():
 def test_missing_program_says_how_to_build_it(pair):
     words = ["--config", "tiny", "--left", pair[0], "--right", pair[1]]
     process = call("cosim.py", *words, environment={"STEREO_HLS": "/nowhere/stereo_hls"})
-    refused(process, 3, "stereo_hls not found at /nowhere/stereo_hls", "cmake --build")
+    refused(process, 3, "stereo_hls not found at /nowhere/stereo_hls", "scripts/setup.sh")
 
 
 def test_another_program_in_its_place(pair, tmp_path):

@@ -31,8 +31,8 @@ def test_a_census_taller_than_its_window_is_exact():
 
 FAULTS = {
     "the gap counts the window only": (
-        "hls/block_matching/core.hpp",
-        r"return C\.has_transform\(\) && transform_rows > window_rows \? transform_rows : window_rows;",
+        "hls/block_matching/config.hpp",
+        r"return has_transform\(\) && transform > window_rows \? transform : window_rows;",
         "return window_rows;",
     ),
     "one flush group less": (

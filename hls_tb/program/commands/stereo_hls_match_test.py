@@ -85,6 +85,10 @@ def configurations():
     return sorted(name for name in table if name.startswith(("tiny", "ambrosch2007", "opencv")))
 
 
+# Options that reject pixels when they are above 0; of the families, each has some.
+CHECKS = ("uniqueness_percent", "uniqueness_distance", "texture_threshold", "least_difference")
+
+
 @pytest.mark.parametrize("config", configurations())
 def test_every_configuration_on_its_scene(tmp_path, config):
     """Both engines write the same; the files, their depth and the truth are those of the configuration's options."""
@@ -106,17 +110,19 @@ def test_every_configuration_on_its_scene(tmp_path, config):
     assert facts["fast"] == facts["clocked"]
 
     found = facts["fast"]
-    checks = found["left_right_threshold"] >= 0 or found["uniqueness_percent"] > 0 or found["texture_threshold"] > 0
+    checks = found.get("left_right_threshold", -1) >= 0 or any(found.get(name, 0) > 0 for name in CHECKS)
     assert ("valid.png" in pictures) == checks
     assert checks or found["density"] == 1
-    assert png_depth(tmp_path / "fast" / "disparity.png") == (16 if found["subpixel"] else 8)
-    assert found["disparity_steps_per_px"] == (16 if found["subpixel"] else 1)
+    assert png_depth(tmp_path / "fast" / "disparity.png") == (16 if found.get("subpixel") else 8)
+    assert found["disparity_steps_per_px"] == (16 if found.get("subpixel") else 1)
     assert 0 < found["density"] <= 1
     score = found["truth"]
     assert 0 < score["compared_px"] + score["invalid_px"] <= found["output_width_px"] * found["output_height_px"]
     # Scenes have disparities from 0 on, and hardly a window in the narrowest maps.
-    if found["min_disparity"] == 0 and found["output_width_px"] >= 20 and found["window_px"] >= 3:
-        assert score["bad_px"] < 0.25 * score["compared_px"]
+    # A family without windows does not match at all.
+    if found.get("min_disparity") == 0 and found["output_width_px"] >= 20 and found.get("window_px", 0) >= 3:
+        # In an image of some ten pixels, smoothing carries what is wrong far.
+        assert score["bad_px"] < (0.4 if "p1" in found else 0.25) * score["compared_px"]
 
 
 def test_overview_enlarges_small_images_only(tmp_path, match):

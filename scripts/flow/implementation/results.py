@@ -30,8 +30,7 @@ class Configuration:
         self.stale = implemented is not None and not record.is_fresh(implemented, self.manifest)
         if self.stale and not stale_is_none:
             raise FlowError(
-                f"{folder / record.FILE} is of other VHDL; "
-                f"run scripts/implement.py --config {name}",
+                f"{folder / record.FILE} is of other VHDL; run scripts/implement.py --config {name}",
                 EXIT_MISMATCH,
             )
         self.targets = implemented["targets"] if implemented and not self.stale else {}

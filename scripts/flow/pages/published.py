@@ -58,7 +58,7 @@ class System(NamedTuple):
 
 SYSTEMS = [
     System(
-        "the paper's own software",
+        "the same in software",
         "320x240, D=100, SAD 3x3",
         1.24,
         f"{_TABLE}; its text says 391 ms, 2.56",
