@@ -22,6 +22,7 @@ stereo_add_unit_tests(
   FILES
   blocks/support/memory_bank_test.cpp
   blocks/support/minimum_tree_test.cpp
+  blocks/support/fan_out_test.cpp
   blocks/support/move_delay_test.cpp
   blocks/support/packed_test.cpp
   blocks/support/ring_test.cpp
