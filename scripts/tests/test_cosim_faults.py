@@ -8,16 +8,16 @@ import pytest
 from flow_commands import altered_rtl, cosim, random_pair, report
 
 FAULTS = {
-    "constant: one row too many": (r"raster_group = 11", "raster_group = 10"),
-    "constant: ring one shorter": (r"when delay_read_address = 7 else", "when delay_read_address = 6 else"),
+    "constant: one row too many": (r"raster_place_group = 11", "raster_place_group = 10"),
+    "constant: ring one shorter": (r"when delay_ring_read_address = 7 else", "when delay_ring_read_address = 6 else"),
     "operator: sum becomes difference": (r"(slice1window_sum_0_1 <= \S+) \+ ", r"\1 - "),
     "operator: smaller becomes smaller or equal": (
-        r"(slice0winner1_cost_0_0_is_less := slice0window_sum_\d_\d) < ",
+        r"(slice0winner1_best_cost_0_0_is_less := slice0window_sum_\d_\d) < ",
         r"\1 <= ",
     ),
     "register dropped": (r"^ *slice1window_partial_0_0_2 <= .*;$", ""),
     "register bypassed": (
-        r"(slice0window_tag_end_of_line <= )slice0window_centre_0_end_of_line;",
+        r"(slice0window_tag_end_of_line <= )slice0window_centre_end_of_line_0;",
         r"\1slice0cost_tag_end_of_line;",
     ),
     "index: the neighbour's pixel": (
@@ -27,8 +27,8 @@ FAULTS = {
     "condition inverted": (r"if rows_ready_tag_valid then", "if not rows_ready_tag_valid then"),
     "a carry lost": (r"as_number\(slice0cost_negative_0_1\) \+", "0 +"),
     "one winner's place wrong": (
-        r"(slice2best_index_0_0 <= )slice1best_index_0_0 when",
-        r"\g<1>slice1best_index_0_0 / 2 when",
+        r"(slice2_best_index_0_0 <= )slice1_best_index_0_0 when",
+        r"\g<1>slice1_best_index_0_0 / 2 when",
     ),
 }
 

@@ -19,7 +19,7 @@ pytest.importorskip("matplotlib", reason="SKIP: python3-matplotlib is not instal
 from test_report import fill
 
 numpy, Image = pictures.libraries()
-WINNER = (r"(slice2best_index_0_0 <= )slice1best_index_0_0 when", r"\g<1>slice1best_index_0_0 / 2 when")
+WINNER = (r"(slice2_best_index_0_0 <= )slice1_best_index_0_0 when", r"\g<1>slice1_best_index_0_0 / 2 when")
 LANE = (
     "leftright_checked_disparity_1 <= leftright_answered_disparity_1",
     "leftright_checked_disparity_1 <= leftright_answered_disparity_0",
@@ -138,7 +138,7 @@ def test_save_file_names_signals_of_the_dump(tiny):
     groups = [line for line in lines if line.startswith("-")]
     assert groups == [group for group in groups[::2] for _ in range(2)], "each group is opened and closed"
     assert groups[::2][:2] == ["-inputs", "-outputs"] and any(group.startswith("-winner's path") for group in groups)
-    assert {"left_pixel[7:0]", "disparity[7:0]", "slice2best_index_0_0[31:0]", "slice1best_cost_0_0[31:0]"} <= set(
+    assert {"left_pixel[7:0]", "disparity[7:0]", "slice2_best_index_0_0[31:0]", "slice1_best_cost_0_0[31:0]"} <= set(
         names
     )
     marker = next(line for line in lines if line.startswith("*"))
@@ -229,7 +229,7 @@ def test_page_of_a_demo_shows_the_failure(tiny, tmp_path):
     shutil.copytree(tiny[1], folder / "cosim-ghdl")
     assert call("report.py", "--demo", folder).returncode == 0
     text = (folder / "report.html").read_text()
-    assert "Where ghdl differs" in text and 'class="mark"' in text and "slice2best_index_0_0" in text
+    assert "Where ghdl differs" in text and 'class="mark"' in text and "slice2_best_index_0_0" in text
 
 
 # --- cutting a dump ---------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ ECP5 = {
     **AREA,
     "luts": 1000,
     "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
-    "critical_path": {"from": "raster_group", "to": "slice0cost_pair_0", "block": "slice0cost"},
+    "critical_path": {"from": "raster_place_group", "to": "slice0cost_pair_0", "block": "slice0cost"},
 }
 
 
@@ -57,7 +57,7 @@ def test_page_with_results(folders):
     page = performance.page()
     assert "1,389 ALUT | 1,500 | 2" in row(page, "`tiny`", "cyclonev")
     # 192 MHz / 384 clocks a frame = 500,000 frames a second of 3,072 evaluations
-    assert "| 192.0 | 200.2 | 500,000 | 1,536 | 1,536 |" in row(page, "`tiny`", "raster_group")
+    assert "| 192.0 | 200.2 | 500,000 | 1,536 | 1,536 |" in row(page, "`tiny`", "raster_place_group")
 
 
 def test_published_numbers(folders):
