@@ -12,6 +12,7 @@ from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
+from ..base.configurations import configurations
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Word, find_native, find_tool, run
 
@@ -31,12 +32,12 @@ def new_seed() -> int:
     return secrets.randbelow(1 << 31)
 
 
-def source_folder(family: str, checkout: Path = ROOT) -> Path:
-    """The folder of the family's core: hls/, or one of hls_tb/."""
-    for folder in (checkout / "hls", *sorted((checkout / "hls_tb").glob("*"))):
-        if (folder / family / "family.hpp").is_file():
-            return folder
-    raise FlowError(f"there is no family '{family}'")
+def source_folder(family: str) -> str:
+    """The folder of the family's core, from the project's root: its named configurations have it, too."""
+    folders = {row["family"]: row["source_folder"] for row in configurations().values()}
+    if family not in folders:
+        raise FlowError(f"there is no family '{family}'; known are: {', '.join(sorted(folders))}")
+    return folders[family]
 
 
 def draw(family: str, count: int, seed: int) -> list[Core]:
@@ -58,13 +59,14 @@ class Checker:
     def __init__(self, family: str, seed: int, folder: Path, checkout: Path = ROOT) -> None:
         self.family, self.seed, self.folder, self.checkout = family, seed, folder, checkout
         self.program = find_native("random_cores/check_cores")
+        self.source_folder = source_folder(family)
         self.interface = run([self.program, "--interface"]).strip()
 
     def build(self, core: Core) -> Path:
         """The module of one core."""
         rows, module = self.folder / f"{core.name}.hpp", self.folder / f"{core.name}.so"
         rows.write_text(core.row + "\n")
-        folders = (source_folder(self.family, self.checkout), self.checkout / "hls", self.checkout / "hls_tb")
+        folders = [self.checkout / name for name in dict.fromkeys((self.source_folder, "hls", "hls_tb"))]
         clocked = self.checkout / "hls_tb" / "engines" / "clocked"
         macros = {
             "FAMILY": self.family,

@@ -57,7 +57,7 @@ def environment_folder(say: Say = print) -> Path:
 
 class Ghdl:
     """The stereo_ip of one configuration, analysed once in its folder. `files`: others for the core and the shell;
-    `generics`: of the shell, that are not those of its core; `enabled`: at reset."""
+    `generics`: of the shell, that are not those of its core, and enabled_at_reset."""
 
     def __init__(
         self,
@@ -73,7 +73,8 @@ class Ghdl:
         self.top = rtl.ip_entity(config)
         self.files = files or [*manifest.core_files(config), *design.shell_files()]
         self.generics = dict(generics or {})
-        self.options = {name: self.generics.pop(name) for name in ("enabled_at_reset",) if name in self.generics}
+        enabled = self.generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
+        self.options = {} if enabled is None else {"enabled_at_reset": enabled}
         names = [f"{name}_{value}" for name, value in self.generics.items()]
         self.work = work.resolve().joinpath("-".join([config, *names]))
         self.bin = environment_folder(say)
