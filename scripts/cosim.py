@@ -29,6 +29,13 @@ def main() -> int:
         "--frames", type=int, default=1, help="frames back to back; every second one upside down (default 1)"
     )
     parser.add_argument(
+        "--broken",
+        type=int,
+        default=0,
+        metavar="N",
+        help="instead of frames, N faults of a stream: frames broken off, records without a start of frame, resets",
+    )
+    parser.add_argument(
         "--stall-percent", type=int, default=0, help="random bubbles in the input, 0 ... 95 %% (default 0)"
     )
     parser.add_argument("--seed", type=int, default=1, help="of bubbles and filler pixels (default 1)")
@@ -62,6 +69,10 @@ def main() -> int:
         raise FlowError("--record keeps results of the VHDL in generated_rtl: no --rtl, no --simulator original")
     if options.frames < 1:
         raise FlowError("--frames must be at least 1")
+    if options.broken < 0:
+        raise FlowError("--broken must be at least 0")
+    if options.broken and (options.frames != 1 or options.rows):
+        raise FlowError("--broken takes the place of --frames and --rows")
     if not 0 < options.watchdog_seconds < MOST_SECONDS:
         raise FlowError(f"--watchdog must be above 0 and below {MOST_SECONDS:g} seconds")
     is_kept = vars(options).pop("record")

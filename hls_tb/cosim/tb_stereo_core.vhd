@@ -80,6 +80,7 @@ begin
       hread(stimulus_line, right_value);
       valid <= flags(0);
       start_of_frame <= flags(1);
+      reset <= flags(2);
       left_pixel <= left_value;
       right_pixel <= right_value;
       wait for 0 ns;

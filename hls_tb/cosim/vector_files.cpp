@@ -24,11 +24,16 @@ std::string word_text(const Lane& lanes, int pixels, int lane_bits) {
 
 void write_stimulus(std::ostream& out, const Stimulus& stimulus) {
    const int pixels = stimulus.pixels_per_clock;
-   out << "stereo-hls stimulus 1 config=" << stimulus.config << " pixels=" << pixels
+   out << "stereo-hls stimulus 2 config=" << stimulus.config << " pixels=" << pixels
        << " clocks=" << stimulus.clocks.size() << '\n';
-   for (const StereoInput& in : stimulus.clocks)
-      out << int(in.valid) + 2 * int(in.start_of_frame) << ' ' << word_text(in.left, pixels, 8) << ' '
+   auto reset = stimulus.resets.begin();
+   for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
+      const StereoInput& in = stimulus.clocks[clock];
+      const bool resets = reset != stimulus.resets.end() && *reset == clock;
+      if (resets) ++reset;
+      out << int(in.valid) + 2 * int(in.start_of_frame) + 4 * int(resets) << ' ' << word_text(in.left, pixels, 8) << ' '
           << word_text(in.right, pixels, 8) << '\n';
+   }
 }
 
 void write_expected(std::ostream& out, const Expected& expected) {

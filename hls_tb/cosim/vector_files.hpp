@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Test vectors as text files, for test benches in any language.
 //
-// stimulus.txt: a first line "stereo-hls stimulus 1 config=<name> pixels=<P> clocks=<N>", then N lines "F LL RR", one a
+// stimulus.txt: a first line "stereo-hls stimulus 2 config=<name> pixels=<P> clocks=<N>", then N lines "F LL RR", one a
 //   clock:
-//   F   one hex digit: bit 0 valid, bit 1 start of frame
+//   F   one hex digit: bit 0 valid, bit 1 start of frame, bit 2 reset
 //   LL  left, RR right pixels: words of 2*P lower-case hex digits, as the ports take them; bits 8p+7 ... 8p are lane p,
 //       so the last lane, the lowest of the P rows, comes first in the text
 // expected.txt: a first line "stereo-hls expected 2 config=<name> pixels=<P> disparity_bits=<8 or 16> outputs=<N>

@@ -26,12 +26,17 @@ TEST(VectorFiles, Stimulus) {
                               {{.left = {0x0a}, .right = {0xff}, .start_of_frame = true, .valid = true},
                                {.left = {0x00}, .right = {0x10}},
                                {.left = {0x7f}, .right = {0x80}, .valid = true}}}),
-             "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 0a ff\n0 00 10\n1 7f 80\n");
+             "stereo-hls stimulus 2 config=tiny pixels=1 clocks=3\n3 0a ff\n0 00 10\n1 7f 80\n");
 }
 
 TEST(VectorFiles, AStartOfFrameMayStandInABubble) {
    EXPECT_EQ(text_of(Stimulus{"tiny", 1, {{.left = {1}, .right = {2}, .start_of_frame = true}}}),
-             "stereo-hls stimulus 1 config=tiny pixels=1 clocks=1\n2 01 02\n");
+             "stereo-hls stimulus 2 config=tiny pixels=1 clocks=1\n2 01 02\n");
+}
+
+TEST(VectorFiles, AResetIsAFlag) {
+   EXPECT_EQ(text_of(Stimulus{"tiny", 1, {{.valid = true}, {.start_of_frame = true, .valid = true}, {}}, {1, 2}}),
+             "stereo-hls stimulus 2 config=tiny pixels=1 clocks=3\n1 00 00\n7 00 00\n4 00 00\n");
 }
 
 TEST(VectorFiles, TheLastLaneComesFirstInTheText) {
@@ -42,12 +47,12 @@ TEST(VectorFiles, TheLastLaneComesFirstInTheText) {
                                 .start_of_frame = true,
                                 .valid = true},
                                {.left = {}, .right = {0x78, 0x56, 0x34, 0x12}}}}),
-             "stereo-hls stimulus 1 config=tiny_p4 pixels=4 clocks=2\n3 0d0c0b0a ff000180\n0 00000000 12345678\n");
+             "stereo-hls stimulus 2 config=tiny_p4 pixels=4 clocks=2\n3 0d0c0b0a ff000180\n0 00000000 12345678\n");
 }
 
 TEST(VectorFiles, LanesThatAreNotInUseAreNotWritten) {
    EXPECT_EQ(text_of(Stimulus{"tiny_p2", 2, {{.left = {1, 2, 3, 4}, .right = {5, 6, 7, 8}, .valid = true}}}),
-             "stereo-hls stimulus 1 config=tiny_p2 pixels=2 clocks=1\n1 0201 0605\n");
+             "stereo-hls stimulus 2 config=tiny_p2 pixels=2 clocks=1\n1 0201 0605\n");
 }
 
 TEST(VectorFiles, ExpectedOutputs) {
@@ -75,7 +80,7 @@ TEST(VectorFiles, ExpectedOutputsOfSeveralRowsInSixteenths) {
 }
 
 TEST(VectorFiles, NothingIsAFirstLine) {
-   EXPECT_EQ(text_of(Stimulus{"tiny", 1, {}}), "stereo-hls stimulus 1 config=tiny pixels=1 clocks=0\n");
+   EXPECT_EQ(text_of(Stimulus{"tiny", 1, {}}), "stereo-hls stimulus 2 config=tiny pixels=1 clocks=0\n");
    EXPECT_EQ(text_of(Expected{"tiny", 1, 8, 10, {}}),
              "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=0 latency=10\n");
 }

@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
    while (std::fscanf(stimulus, "%x %x %x", &flags, &left, &right) == 3) {
       model.valid = flags & 1;
       model.start_of_frame = flags >> 1 & 1;
+      model.reset = flags >> 2 & 1;
       drive(model.left_pixel, left);
       drive(model.right_pixel, right);
       model.clock = 0;

@@ -33,6 +33,26 @@ FAULTS = {
 }
 
 
+# Faults of the control, which only a broken stream shows.
+BROKEN_STREAM_FAULTS = {
+    "a start in mid-frame leaves the column": (
+        r"raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else",
+        "raster_place_column <= 0 when raster_place_group_is_equal else",
+    ),
+    "a start in mid-frame leaves the row": (
+        r"raster_place_group <= raster_place_group_choice \* 4 when in_start_of_frame and in_valid else",
+        "raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid and "
+        "(raster_place_group >= 11) else",
+    ),
+    "a start anywhere in the last row joins": (
+        r"raster_place_group_all := raster_place_group_is_equal and ",
+        "raster_place_group_all := ",
+    ),
+    "outputs without a start behind a reset": (r"raster_place_group <= 13;", "raster_place_group <= 0;"),
+    "the next frame is never forgotten": (r"mod 2\) = 1\) when$", "mod 2) /= 1) when"),
+}
+
+
 @pytest.fixture(scope="module")
 def pair(tmp_path_factory):
     """Four grey levels: every disparity wins somewhere, and ties are everywhere. A textured scene would miss some
@@ -50,6 +70,13 @@ def test_fault_is_caught(ghdl, pair, tmp_path, fault):
         result = report(tmp_path / "out")
         assert result["passed"] is False and result["mismatches"] > 0
         assert "expected" in result["first_mismatch"] or "surplus" in result["first_mismatch"]
+
+
+@pytest.mark.parametrize("fault", BROKEN_STREAM_FAULTS)
+def test_fault_of_the_control_is_caught(ghdl, pair, tmp_path, fault):
+    rtl = altered_rtl(tmp_path / "rtl", "tiny", *BROKEN_STREAM_FAULTS[fault])
+    process = cosim("tiny", pair, tmp_path / "out", "--broken", 40, "--rtl", rtl)
+    assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
 
 
 def test_failure_is_reported_in_full(ghdl, pair, tmp_path):

@@ -47,6 +47,17 @@ def test_bubbles_on_a_scene(ghdl, tmp_path, config):
     passed(process, tmp_path / "out", config, 2)
 
 
+@pytest.mark.parametrize("config", [*OPTIONS, "tiny", "tiny_p2", "tiny_p4", "tiny_sgm"])
+def test_broken_streams(ghdl, tmp_path, config):
+    """Frames broken off, starts at any place, records without a start, resets: clock by clock as the C++ core."""
+    pair = random_pair(tmp_path / "pair", config, levels=3)
+    seed = sorted(TABLE).index(config)
+    process = cosim(config, pair, tmp_path / "out", "--broken", 8, "--stall-percent", 5, "--seed", seed)
+    assert process.returncode == 0, process.stdout + process.stderr
+    result = report(tmp_path / "out")
+    assert result["compared"] == result["expected"] > 0 and result["mismatches"] == 0
+
+
 @pytest.mark.parametrize("config", OPTIONS)
 def test_synthesis_takes_the_vhdl(ghdl, tmp_path, config):
     assert to_verilog(manifest.core_files(config), tmp_path, rtl.core_entity(config)).count("endmodule") >= 1

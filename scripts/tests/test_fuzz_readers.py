@@ -25,7 +25,7 @@ from hypothesis import strategies as st  # noqa: E402
 EXAMPLES = int(os.environ.get("STEREO_FUZZ_EXAMPLES", "50"))
 LONGEST = 3000  # bytes of a damaged file that are looked at
 
-STIMULUS = b"stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
+STIMULUS = b"stereo-hls stimulus 2 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
 EXPECTED = (
     b"stereo-hls expected 2 config=tiny pixels=2 disparity_bits=16 outputs=2 latency=10\n"
     b"50 0 0 0 000f0003 5\n51 1 0 0 001f0000 0\n"

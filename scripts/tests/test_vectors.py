@@ -6,7 +6,7 @@ import pytest
 from flow.base.errors import FlowError
 from flow.cosim import vectors
 
-STIMULUS = "stereo-hls stimulus 1 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
+STIMULUS = "stereo-hls stimulus 2 config=tiny pixels=1 clocks=3\n3 01 ff\n0 00 00\n1 a0 0b\n"
 EXPECTED = (
     "stereo-hls expected 2 config=tiny pixels=1 disparity_bits=8 outputs=2 latency=10\n50 0 0 0 03 1\n51 1 0 0 1f 0\n"
 )
@@ -41,13 +41,13 @@ def test_good_files_are_read(tmp_path):
     [
         ("", "line 1: not a 'stimulus'"),
         (EXPECTED, "line 1: not a 'stimulus'"),
-        (STIMULUS.replace("stimulus 1", "stimulus 2"), "line 1: not a 'stimulus'"),
+        (STIMULUS.replace("stimulus 2", "stimulus 3"), "line 1: not a 'stimulus'"),
         (STIMULUS.replace("clocks=3", "clocks=4"), "promises 4 lines, but 3 follow"),
         (STIMULUS.replace("clocks=3", "clocks=many"), "no number clocks="),
         (STIMULUS.replace("pixels=1 ", ""), "pixels= must be 1, 2 or 4"),
         (STIMULUS.replace("pixels=1", "pixels=2"), "line 2: '3 01 ff' is not 'F LEFT RIGHT' with 4 digits"),
         (STIMULUS.replace("a0", "g0"), "line 4: '1 g0 0b'"),
-        (STIMULUS.replace("3 01", "4 01"), "line 2: '4 01 ff'"),
+        (STIMULUS.replace("3 01", "8 01"), "line 2: '8 01 ff'"),
     ],
 )
 def test_damaged_stimulus(tmp_path, text, reason):

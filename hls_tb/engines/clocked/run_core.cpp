@@ -14,4 +14,23 @@ std::vector<CoreOutput> run_core(const CoreModule& module, const std::vector<Ste
    return run_core(module, clocks, memories);
 }
 
+std::vector<CoreOutput> run_core(const CoreModule& module, const Stimulus& stimulus) {
+   HeapMemories memories;
+   auto core = module.make(memories);
+   std::vector<CoreOutput> outputs;
+   OutputLocator locator(stimulus.pixels_per_clock);
+   auto reset = stimulus.resets.begin();
+   for (uint64_t clock = 0; clock < stimulus.clocks.size(); ++clock) {
+      const StereoOutput output = core->output();
+      if (output.valid) outputs.push_back(locator.locate(clock, output));
+      if (reset != stimulus.resets.end() && *reset == clock) {
+         core = module.make(memories);
+         ++reset;
+      } else {
+         core->clock(stimulus.clocks[clock]);
+      }
+   }
+   return outputs;
+}
+
 }  // namespace stereo

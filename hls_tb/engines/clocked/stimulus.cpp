@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engines/clocked/stimulus.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace stereo {
@@ -62,6 +63,16 @@ void StimulusWriter::random_records(int count) {
    }
 }
 
+void StimulusWriter::reset(int count) {
+   for (int i = 0; i < count; ++i) {
+      resets.push_back(clocks.size());
+      StereoInput in = garbage();
+      in.valid = random_.percent(50);
+      in.start_of_frame = random_.percent(50);
+      clocks.push_back(in);
+   }
+}
+
 void StimulusWriter::bubbles(int count) {
    for (int i = 0; i < count; ++i) {
       StereoInput in = garbage();
@@ -91,6 +102,45 @@ Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, co
    if (rows.end - rows.first == core.image.height_px) writer.flush(core.schedule);
    writer.drain(core.schedule);
    return {config_name, core.image.pixels_per_clock, std::move(writer.clocks)};
+}
+
+Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
+                              int stall_percent, uint64_t seed) {
+   const RowRange all{0, core.image.height_px};
+   check(config_name, core, pair, {.stall_percent = stall_percent}, all);
+   const int width = core.image.width_px, frame = width * core.image.row_groups();
+   Random random(seed ^ 0x5eed);  // what happens; the writer's is for bubbles and garbage
+   StimulusWriter writer(core.image.pixels_per_clock, stall_percent, seed);
+   const auto whole_frame = [&] { writer.rows(pair, all, random.percent(50)); };
+   const auto part_of_a_frame = [&] {
+      StimulusWriter whole(core.image.pixels_per_clock, 0, random.bits());
+      whole.rows(pair, all, random.percent(50));
+      const int near_the_end = frame - random.below(std::min(frame, 2 * width));
+      const int records = random.percent(60) ? near_the_end : 1 + random.below(frame);
+      for (int i = 0; i < records; ++i) writer.record(whole.clocks[std::size_t(i)]);
+   };
+   writer.random_records(1 + random.below(2 * width));
+   for (int i = 0; i < count; ++i) switch (random.below(4)) {
+         case 0:
+            part_of_a_frame();
+            break;
+         case 1:
+            part_of_a_frame();
+            writer.reset(1 + random.below(3));
+            writer.random_records(random.below(2 * width));
+            break;
+         case 2:
+            whole_frame();
+            writer.gap(core.schedule);
+            break;
+         default:
+            whole_frame();
+            writer.random_records(core.schedule.flush_groups + random.below(3 * width));
+      }
+   whole_frame();
+   writer.flush(core.schedule);
+   writer.drain(core.schedule);
+   return {config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
 }
 
 CoreOutput OutputLocator::locate(uint64_t clock, const StereoOutput& output) {

@@ -21,6 +21,7 @@ struct Stimulus {
    std::string config;    ///< the configuration's name
    int pixels_per_clock;  ///< lanes in use, 1, 2 or 4; lane p holds row p of a group of rows
    std::vector<StereoInput> clocks;
+   std::vector<uint64_t> resets = {};  ///< the clocks with reset, in ascending order
 };
 
 /// A valid output of a core: one column of a group of rows.
@@ -77,8 +78,11 @@ class StimulusWriter {
    void gap(const Schedule& schedule) { random_records(schedule.gap_groups); }
    /// Enough bubbles to empty the pipeline.
    void drain(const Schedule& schedule) { bubbles(schedule.latency_clocks + 4); }
+   /// Clocks with reset and garbage.
+   void reset(int count);
 
    std::vector<StereoInput> clocks;
+   std::vector<uint64_t> resets;  ///< the clocks with reset
 
   private:
    StereoInput garbage();
@@ -92,6 +96,13 @@ class StimulusWriter {
 /// Throws std::invalid_argument with one sentence when the options or the images do not fit the configuration.
 Stimulus make_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair,
                        const StimulusOptions& options = {});
+
+/// What a stream does that no camera should do: records without a start of frame, frames broken off anywhere, most
+/// often in their last rows, starts as early as the next record, more records behind a frame than it needs, resets at
+/// any clock. `count` such events, then a whole frame; frames show the pair and the pair upside down. Throws
+/// std::invalid_argument with one sentence when the images do not fit the configuration.
+Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& core, const ImagePair& pair, int count,
+                              int stall_percent, uint64_t seed);
 
 /// Gives the outputs of a core their places, in the order in which they come.
 class OutputLocator {

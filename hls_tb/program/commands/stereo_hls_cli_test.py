@@ -104,7 +104,7 @@ def test_vectors_first_lines_and_counts(tmp_path, pair, config, pixels):
     latency = json.loads(succeed("configurations", "--json"))[config]["latency_clocks"]
     groups = HEIGHT // pixels
     clocks, outputs = WIDTH * groups + WIDTH + latency + 4, 24 * groups
-    assert stimulus[0] == f"stereo-hls stimulus 1 config={config} pixels={pixels} clocks={clocks}"
+    assert stimulus[0] == f"stereo-hls stimulus 2 config={config} pixels={pixels} clocks={clocks}"
     assert (
         expected[0]
         == f"stereo-hls expected 2 config={config} pixels={pixels} disparity_bits=8 outputs={outputs} latency={latency}"

@@ -41,6 +41,7 @@ struct VectorsArguments {
    std::string rows;  ///< "A:B"; empty for all
    Fit fit = Fit::none;
    StimulusOptions options;
+   int broken = 0;  ///< events of a broken stream instead of frames
 };
 
 void vectors(const VectorsArguments& arguments) {
@@ -50,9 +51,11 @@ void vectors(const VectorsArguments& arguments) {
    if (!arguments.rows.empty()) options.rows = parse_rows(arguments.rows);
    const ImagePair pair =
        fit_pair(load_pair(arguments.left, arguments.right), image.width_px, image.height_px, arguments.fit);
-   const Stimulus stimulus = make_stimulus(core.name, core.shape, pair, options);
+   const Stimulus stimulus = arguments.broken > 0 ? make_broken_stimulus(core.name, core.shape, pair, arguments.broken,
+                                                                         options.stall_percent, options.seed)
+                                                  : make_stimulus(core.name, core.shape, pair, options);
    const Expected expected{core.name, image.pixels_per_clock, core.shape.disparity_bits,
-                           core.shape.schedule.latency_clocks, run_core(core, stimulus.clocks)};
+                           core.shape.schedule.latency_clocks, run_core(core, stimulus)};
    OutputFolder out(arguments.out);
    out.add("stimulus.txt", text_of(stimulus, write_stimulus));
    out.add("expected.txt", text_of(expected, write_expected));
@@ -68,10 +71,17 @@ void add_vectors(CLI::App& app) {
    CLI::App* command = app.add_subcommand("vectors", "make test vectors for the hardware: stimulus.txt, expected.txt");
    command->add_option("--config", arguments.config, "configuration")->required();
    command->add_option("--out", arguments.out, "folder for the results")->required();
-   command->add_option("--rows", arguments.rows, "send only image rows A:B, B excluded");
-   command->add_option("--frames", options.frames, "frames back to back, odd ones upside down")
+   CLI::Option* const rows = command->add_option("--rows", arguments.rows, "send only image rows A:B, B excluded");
+   CLI::Option* const frames =
+       command->add_option("--frames", options.frames, "frames back to back, odd ones upside down")
+           ->check(CLI::Range(1, 1000))
+           ->capture_default_str();
+   command
+       ->add_option("--broken", arguments.broken,
+                    "instead of frames, so many faults of a stream: broken frames, records without start, resets")
        ->check(CLI::Range(1, 1000))
-       ->capture_default_str();
+       ->excludes(frames)
+       ->excludes(rows);
    command->add_option("--stall-percent", options.stall_percent, "chance of a bubble before a pixel pair")
        ->check(CLI::Range(0, 95))
        ->capture_default_str();

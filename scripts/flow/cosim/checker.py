@@ -119,6 +119,11 @@ def measure(stimulus: Stimulus, observed: list[Observed], configuration: Paramet
     return Timing(len(starts), clocks, interval, latency)
 
 
+def count_frames(observed: list[Observed]) -> Timing:
+    """Of a broken stream: its frames have no common length."""
+    return Timing(sum(o.flags & 1 for o in observed if isinstance(o.flags, int)), None, None, None)
+
+
 def _completing_clock(stimulus: Stimulus, first_input: int, configuration: Parameters) -> int:
     """The clock of the last group of pixels that the first output needs."""
     valid_clocks = [clock for clock in range(first_input, len(stimulus)) if stimulus[clock][0]]

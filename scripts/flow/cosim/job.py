@@ -30,6 +30,7 @@ class Job:
     right: Path
     rows: str | None = None  # "A:B", image rows A ... B-1 only; "N": middle_rows
     frames: int = 1
+    broken: int = 0  # faults of a stream instead of frames
     stall_percent: int = 0
     seed: int = 1
     fit: str = "none"
@@ -48,6 +49,7 @@ class Job:
         for option, value, default in (
             ("--rows", self.rows, None),
             ("--frames", self.frames, 1),
+            ("--broken", self.broken, 0),
             ("--stall-percent", self.stall_percent, 0),
             ("--fit", self.fit, "none"),
             ("--rtl", self.rtl, None),
@@ -72,7 +74,8 @@ def middle_rows(parameters: Parameters, least: int) -> str | None:
 def make_vectors(job: Job, directory: Path) -> tuple[Path, Path]:
     """(stimulus, expectation)"""
     command: list[Word] = [find_stereo_hls(), "vectors", "--config", job.config, "--left", job.left]
-    command += ["--right", job.right, "--frames", job.frames, "--stall-percent", job.stall_percent]
+    command += ["--right", job.right, "--stall-percent", job.stall_percent]
+    command += ["--broken", job.broken] if job.broken else ["--frames", job.frames]
     command += ["--seed", job.seed, "--fit", job.fit, "--out", directory]
     if job.rows is not None:
         command += ["--rows", job.rows]
@@ -105,7 +108,7 @@ def run_job(job: Job) -> Report:
         raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", EXIT_TOOL_FAILED)
 
     verdict = checker.compare(expected, observed, parameters["disparity_bits"])
-    timing = checker.measure(stimulus, observed, parameters)
+    timing = checker.count_frames(observed) if job.broken else checker.measure(stimulus, observed, parameters)
     report = make_report(job, verdict, timing, clocks, seconds, build_seconds)
     if job.wave is not None:
         report["wave"] = _dump_wave(job.wave, job, simulator, verdict, clocks)

@@ -15,7 +15,7 @@ from typing import Literal
 
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 
-FORMATS = {"stimulus": 1, "expected": 2}
+FORMATS = {"stimulus": 2, "expected": 2}
 NUMBER = r"\d{1,18}"  # decimal; longer ones count nothing that exists
 
 
@@ -71,11 +71,11 @@ Stimulus = list[tuple[bool, bool]]
 def read_stimulus(path: Path) -> Stimulus:
     lines = read_lines(path)
     _, digits = _read_header(path, lines, "stimulus", "clocks")
-    pattern = re.compile(rf"[0-3] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
+    pattern = re.compile(rf"[0-7] [0-9a-f]{{{digits}}} [0-9a-f]{{{digits}}}")
     for number, line in enumerate(lines[1:], 2):
         if not pattern.fullmatch(line):
             raise FlowError(f"{path}, line {number}: '{line}' is not 'F LEFT RIGHT' with {digits} digits")
-    return [(line[0] in "13", line[0] in "23") for line in lines[1:]]
+    return [(line[0] in "13", line[0] in "23") for line in lines[1:]]  # nothing is taken in a clock with reset
 
 
 def read_expected(path: Path) -> tuple[list[Expected], int]:

@@ -20,8 +20,15 @@ from .mutants import Mutant
 CONFIG = "tiny"
 WORK = ROOT / "build" / "mutation"
 WATCHDOG_SECONDS = 120
-# (grey levels, distance between them, bubbles in percent) of the co-simulations of the core alone, two frames each
-CORE_RUNS = ((4, 85, 10), (4, 1, 20), (256, 1, 0), (2, 255, 50))
+# (grey levels, distance between them, bubbles in percent, what comes) of the co-simulations of the core alone
+TWO_FRAMES = ("--frames", 2)
+CORE_RUNS = (
+    (4, 85, 10, TWO_FRAMES),
+    (4, 1, 20, TWO_FRAMES),
+    (256, 1, 0, TWO_FRAMES),
+    (2, 255, 50, TWO_FRAMES),
+    (4, 85, 5, ("--broken", 40)),
+)
 CONFIG_OF_SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
 SHELL_STAGES = (
@@ -35,7 +42,7 @@ SHELL_STAGES = (
     Selection(CONFIG, "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}),
     Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture")),
 )
-# What the co-simulation of the core alone does not do: more flush groups than needed, resets, frames that join a flush.
+# What the co-simulation of the core alone does not do: what the shell makes of breaks and resets.
 CORE_STAGES = (
     Selection(CONFIG, "test_stereo_ip", ("full_speed",), {"gap_groups": 40, "flush_groups": 60}),
     Selection(CONFIG, "test_stereo_ip", ("reset_at_any_clock", "gaps_of_all_lengths", "mixture")),
@@ -80,14 +87,14 @@ class Core:
         self.parameters = configuration(CONFIG)
         self.runs = [self._made(number, *row) for number, row in enumerate(CORE_RUNS)]
 
-    def _made(self, number: int, levels: int, distance: int, stalls: int) -> _Cosimulation:
+    def _made(self, number: int, levels: int, distance: int, stalls: int, what: tuple[str, int]) -> _Cosimulation:
         folder = WORK / f"vectors_{number}"
         folder.mkdir(parents=True, exist_ok=True)
         generator = random.Random(number)
         for side in ("left", "right"):
             pool.write_noise(folder / f"{side}.pgm", self.parameters, generator, levels, distance)
         command: list[Word] = [find_stereo_hls(), "vectors", "--config", CONFIG, "--left", folder / "left.pgm"]
-        command += ["--right", folder / "right.pgm", "--frames", 2, "--stall-percent", stalls, "--out", folder]
+        command += ["--right", folder / "right.pgm", *what, "--stall-percent", stalls, "--out", folder]
         run(command, passes_errors=True)
         stimulus = folder / "stimulus.txt"
         expected, _ = vectors.read_expected(folder / "expected.txt")
