@@ -30,13 +30,14 @@ struct MinimumTree {
       visit("next", next);
    }
 
-   HLS_INLINE void clock(const Value (&values)[N], bool move) {
+   template <class Move>
+   HLS_INLINE void clock(const Value (&values)[N], const Move& move) {
       next.clock(smallest, move);
       HLS_UNROLL
       for (int i = 0; i < kWinners; ++i) {
          const Value winner =
              2 * i + 1 < N ? smaller_of<Value>(values[2 * i], values[2 * i + 1 < N ? 2 * i + 1 : 0]) : values[2 * i];
-         smallest[i] = select<Value>(move, winner, smallest[i]);
+         smallest[i] = select<Value>(move.lane(2 * i), winner, smallest[i]);
       }
    }
 
@@ -52,7 +53,8 @@ struct MinimumTree<Value, 1> {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor&) {}
-   HLS_INLINE void clock(const Value (&)[1], bool) {}
+   template <class Move>
+   HLS_INLINE void clock(const Value (&)[1], const Move&) {}
 };
 
 }  // namespace stereo

@@ -33,12 +33,13 @@ struct MoveDelay {
 
    HLS_INLINE Lane lane(int index) const { return Pack::lane(held, index); }
 
-   HLS_INLINE void clock(const Lane (&lanes)[Lanes], bool move) {
+   template <class Move>
+   HLS_INLINE void clock(const Lane (&lanes)[Lanes], const Move& move) {
       Word newest[Pack::kWords], oldest[Pack::kWords];
       Pack::pack(lanes, newest);
-      ring.clock(newest, move, oldest);
+      ring.clock(newest, move.lane(0), oldest);
       HLS_UNROLL
-      for (int w = 0; w < Pack::kWords; ++w) held[w] = select<Word>(move, oldest[w], held[w]);
+      for (int w = 0; w < Pack::kWords; ++w) held[w] = select<Word>(move.lane(w * Pack::kPerWord), oldest[w], held[w]);
    }
 };
 

@@ -10,6 +10,8 @@ from flow.pages import quality
 from flow_commands import call, refused
 
 PAIR = quality.default_pair()
+BLOCK_MATCHER, OTHER_REFERENCE = quality.OURS[0][0], quality.OURS[1][0]
+SEMI_GLOBAL = next(title for title, config, _ in quality.OURS if config == "sgm_450")
 
 
 @pytest.fixture(scope="module")
@@ -31,9 +33,12 @@ def test_stereo_bm_is_measured_as_opencv_measures_it(teddy):
         assert quality.bad_1(bm, mask) == pytest.approx(stored, abs=quality.OPENCV_TOLERANCE), mask
 
 
-def test_the_best_of_ours_is_as_good_as_stereo_bm(teddy):
-    title, best = quality.best_of_ours(teddy)
+def test_the_best_of_ours_are_as_good_as_those_of_opencv(teddy):
+    title, best = quality.best_of_family(teddy, is_semi_global=False)
     assert quality.bad_1(best) <= quality.bad_1(dict(teddy)[quality.BM]), title
+    title, best = quality.best_of_family(teddy, is_semi_global=True)
+    for mode in ("StereoSGBM", "StereoSGBM, 3WAY", "StereoSGBM, HH4", "StereoSGBM, HH"):
+        assert quality.bad_1(best) <= quality.bad_1(dict(teddy)[mode]), f"{title}, {mode}"
 
 
 def test_the_committed_page_shows_what_is_measured(teddy):
@@ -56,22 +61,35 @@ def two():
         }
         return {"kind": kind, "reference": reference, "masks": {name: copy.deepcopy(mask) for name in quality.MASKS}}
 
-    return [(quality.BM, method("opencv", 0.2)), ("ours", method("core", 0.3)), ("right", method("core", 0.1, "right"))]
+    return [
+        (quality.BM, method("opencv", 0.2)),
+        (BLOCK_MATCHER, method("core", 0.3)),
+        (OTHER_REFERENCE, method("core", 0.1, "right")),
+        ("StereoSGBM", method("opencv", 0.15)),
+        (SEMI_GLOBAL, method("core", 0.12)),
+    ]
 
 
 def test_the_verdict_can_be_no(two):
-    assert '"ours", has not fewer bad pixels' in quality.verdict(two)
+    assert f'"{BLOCK_MATCHER}", beside StereoBM with its stored parameters: not fewer bad pixels' in quality.verdict(
+        two
+    )
+    assert "beside the best mode of OpenCV, StereoSGBM: fewer bad pixels: 12.00 % against 15.00 %" in quality.verdict(
+        two
+    )
     two[1][1]["masks"]["non_occluded"]["bad_1"]["invalid_bad"] = 0.19
-    assert '"ours", has fewer bad pixels' in quality.verdict(two) and "19.00 % against 20.00 %" in quality.verdict(two)
+    two[4][1]["masks"]["non_occluded"]["bad_1"]["invalid_bad"] = 0.16
+    assert "parameters: fewer bad pixels: 19.00 % against 20.00 %" in quality.verdict(two)
+    assert "StereoSGBM: not fewer bad pixels: 16.00 % against 15.00 %" in quality.verdict(two)
 
 
 def test_tables_take_means_and_know_what_is_unknown(two):
     other = copy.deepcopy(two)
     other[1][1]["masks"]["all"]["bad_1"]["invalid_bad"] = 0.4
     lines = quality.regions_table([two, other]).splitlines()
-    assert lines[3] == "| ours | left | 30.00 | 35.00 | 30.00 | 30.00 | 50.00 |"
+    assert lines[3] == f"| {BLOCK_MATCHER} | left | 30.00 | 30.00 | 35.00 | 30.00 | 30.00 | 50.00 |"
     ours = quality.measures_table(two).splitlines()[3]
-    assert ours == "| ours | 30.00 | 30.00 | 30.00 | 30.00 | 30.00 | - | - | - | - | - | - | 2.00 |"
+    assert ours == f"| {BLOCK_MATCHER} | 30.00 | 30.00 | 30.00 | 30.00 | 30.00 | - | - | - | - | - | - | 2.00 |"
 
 
 def test_without_the_pair_only_the_scenes(tmp_path):

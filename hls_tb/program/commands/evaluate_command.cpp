@@ -2,6 +2,7 @@
 #include "program/commands/evaluate_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -28,15 +29,18 @@ struct Arguments {
    int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
 };
 
-/// The images and, of each that has one, truth and masks.
+/// The images and the truth of each that has one.
 struct GroundTruth {
    ImagePair pair;
    std::optional<DisparityImage> left, right;
-   std::vector<NamedMask> left_masks, right_masks;
+   int border_px;
 
    const std::optional<DisparityImage>& of(Reference side) const { return side == Reference::left ? left : right; }
-   const std::vector<NamedMask>& masks(Reference side) const {
-      return side == Reference::left ? left_masks : right_masks;
+   const GrayImage& image(Reference side) const { return side == Reference::left ? pair.left : pair.right; }
+   /// Of a method of so many disparities. Needs of(side).
+   std::vector<NamedMask> masks(Reference side, int disparities) const {
+      const auto& other = of(side == Reference::left ? Reference::right : Reference::left);
+      return evaluation_masks(image(side), *of(side), other ? &*other : nullptr, side, border_px, disparities);
    }
 };
 
@@ -60,23 +64,25 @@ GroundTruth load(const Arguments& arguments) {
    truth.pair = load_pair(arguments.left, arguments.right);
    truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.pair.left);
    truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.pair.right);
-   const auto address = [](const std::optional<DisparityImage>& image) { return image ? &*image : nullptr; };
-   if (truth.left)
-      truth.left_masks =
-          evaluation_masks(truth.pair.left, *truth.left, address(truth.right), Reference::left, arguments.border_px);
-   if (truth.right)
-      truth.right_masks =
-          evaluation_masks(truth.pair.right, *truth.right, address(truth.left), Reference::right, arguments.border_px);
+   truth.border_px = arguments.border_px;
    return truth;
 }
 
-void score(EvaluatedMethod& method, const DisparityImage& found, const GroundTruth& truth) {
+/// disparities: the largest that the method looks for, and one.
+void score(EvaluatedMethod& method, const DisparityImage& found, int disparities, const GroundTruth& truth) {
    const std::optional<DisparityImage>& wanted = truth.of(method.reference);
    if (!wanted) return;
-   for (const NamedMask& mask : truth.masks(method.reference)) {
+   for (const NamedMask& mask : truth.masks(method.reference, disparities)) {
       const Measures measures = measure(found, *wanted, mask.mask);
       if (measures.pixels > 0) method.masks.push_back({mask.name, measures});
    }
+}
+
+int range_of(const Algorithm& algorithm) {
+   int range = 0;
+   for (const OptionValue& option : algorithm.options())
+      if (option.name == "disparities" || option.name == "min_disparity") range += std::get<int>(option.value);
+   return std::max(range, 0);
 }
 
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
@@ -85,17 +91,18 @@ EvaluatedMethod evaluate_core(const std::string& name, const Arguments& argument
    const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.pair, *algorithm); });
    const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
    method.reference = geometry.reference;
-   score(method, at_image_size(map, geometry, truth.pair.left.width), truth);
+   score(method, at_image_size(map, geometry, truth.pair.left.width), range_of(*algorithm), truth);
    return method;
 }
 
 EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& arguments, const GroundTruth& truth) {
-   OpenCvMatcher matcher = OpenCvMatcher::stored(word == "bm" ? OpenCvMatcher::Kind::bm : OpenCvMatcher::Kind::sgbm);
+   OpenCvMatcher matcher = OpenCvMatcher::stored(opencv_kinds().at(word));
    if (arguments.opencv_disparities != 0) matcher.disparities = arguments.opencv_disparities;
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
-   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher); }), truth);
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher); }), matcher.disparities,
+         truth);
    return method;
 }
 
@@ -105,7 +112,7 @@ EvaluatedMethod evaluate_file(const std::string& path, const std::string& refere
    require_size(found, truth.pair.left, "--disparity " + path);
    EvaluatedMethod method{path,         "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}},
                           kNoDisparity, {}};
-   score(method, found, truth);
+   score(method, found, arguments.opencv_disparities, truth);
    return method;
 }
 
@@ -145,9 +152,11 @@ void add_methods(CLI::App& command, Arguments& arguments) {
        .add_option("--set", arguments.settings,
                    "NAME=VALUE: an option of all named configurations, such as window_px=9")
        ->allow_extra_args(false);
-   command.add_option("--opencv", arguments.opencv, "OpenCV's StereoBM or StereoSGBM: bm or sgbm; repeat it")
+   command
+       .add_option("--opencv", arguments.opencv,
+                   "OpenCV's StereoBM or StereoSGBM: bm, sgbm or another mode of sgbm; repeat it")
        ->allow_extra_args(false)
-       ->check(CLI::IsMember({"bm", "sgbm"}));
+       ->check(CLI::IsMember(&opencv_kinds()));
    command.add_option("--opencv-disparities", arguments.opencv_disparities, "theirs; default 48")
        ->check(CLI::PositiveNumber);
    command.add_option("--opencv-block", arguments.opencv_block, "theirs; default 15 for bm, 3 for sgbm")

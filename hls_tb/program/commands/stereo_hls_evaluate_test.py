@@ -131,17 +131,23 @@ def test_a_reference_without_truth_has_no_masks(tmp_path):
 
 
 def test_opencv_finds_the_shift(tmp_path):
-    options = ["--opencv", "bm", "--opencv", "sgbm", "--opencv-disparities", 16, "--opencv-block", 7]
-    out, [bm, sgbm] = results(tmp_path, *shifted_pair(tmp_path, width=120, height=60), *options)
-    assert [(m["name"], m["kind"], m["reference"]) for m in (bm, sgbm)] == [
-        ("StereoBM", "opencv", "left"),
-        ("StereoSGBM", "opencv", "left"),
+    modes = {"bm": "StereoBM", "sgbm": "StereoSGBM"}
+    modes |= {f"sgbm_{mode}": f"StereoSGBM, {mode.upper()}" for mode in ("3way", "hh4", "hh")}
+    options = [*(word for mode in modes for word in ("--opencv", mode)), "--opencv-disparities", 16]
+    pair = shifted_pair(tmp_path, width=120, height=60)
+    out, methods = results(tmp_path, *pair, *options, "--opencv-block", 7)
+    assert [(m["name"], m["kind"], m["reference"]) for m in methods] == [
+        (name, "opencv", "left") for name in modes.values()
     ]
-    for method in (bm, sgbm):
+    assert [m["parameters"].get("mode", "bm") for m in methods] == list(modes)
+    for method in methods:
         assert method["parameters"]["disparities"] == 16 and method["parameters"]["block_px"] == 7
         mask = method["masks"]["non_occluded"]
         assert mask["bad_1"]["valid_only"] < 0.01 and 0.8 < mask["density"] < 1
         assert mask["pixels"] == (120 - 20) * (60 - 20), "a border of 10 by default"
+        searchable = method["masks"]["searchable"]
+        assert searchable["pixels"] == (120 - 10 - 16) * (60 - 20), "the first 16 columns cannot be searched"
+        assert searchable["density"] >= mask["density"]
     assert "StereoSGBM" in out and "a border of 10 px" in out
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/evaluation/masks.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
@@ -48,6 +49,14 @@ GrayImage non_occluded_mask(const DisparityImage& truth, const DisparityImage& o
    return mask;
 }
 
+GrayImage searchable_mask(const GrayImage& visible, int disparities, Reference side) {
+   GrayImage mask = visible;
+   const int lacking = std::min(disparities, mask.width), first = side == Reference::left ? 0 : mask.width - lacking;
+   for (int y = 0; y < mask.height; ++y)
+      for (int x = first; x < first + lacking; ++x) mask.at(x, y) = 0;
+   return mask;
+}
+
 GrayImage discontinuity_mask(const DisparityImage& truth) {
    constexpr float kLowest = std::numeric_limits<float>::lowest(), kLargest = std::numeric_limits<float>::max();
    cv::Mat largest, smallest;
@@ -76,15 +85,16 @@ GrayImage textureless_mask(const GrayImage& image) {
 }
 
 std::vector<NamedMask> evaluation_masks(const GrayImage& image, const DisparityImage& truth,
-                                        const DisparityImage* other, Reference side, int border_px) {
+                                        const DisparityImage* other, Reference side, int border_px, int disparities) {
    const GrayImage all = known_inside(truth, border_px);
-   const auto [all_name, visible_name, discontinuity_name, textureless_name] = kMaskNames;
+   const auto [all_name, visible_name, discontinuity_name, textureless_name, searchable_name] = kMaskNames;
    if (other == nullptr) return {{all_name, all}};
    const GrayImage visible = both(non_occluded_mask(truth, *other, side), all);
    return {{all_name, all},
            {visible_name, visible},
            {discontinuity_name, both(discontinuity_mask(truth), visible)},
-           {textureless_name, both(textureless_mask(image), visible)}};
+           {textureless_name, both(textureless_mask(image), visible)},
+           {searchable_name, searchable_mask(visible, disparities, side)}};
 }
 
 }  // namespace stereo::app

@@ -12,14 +12,43 @@ namespace {
 
 constexpr int kLargestRange = 4096;
 
+using Kind = OpenCvMatcher::Kind;
+
+struct Mode {
+   int number;  ///< OpenCV's
+   const char* word;
+   const char* name;
+};
+
+const Mode& mode_of(Kind kind) {
+   static const std::map<Kind, Mode> modes{
+       {Kind::sgbm, {cv::StereoSGBM::MODE_SGBM, "sgbm", "StereoSGBM"}},
+       {Kind::sgbm_3way, {cv::StereoSGBM::MODE_SGBM_3WAY, "sgbm_3way", "StereoSGBM, 3WAY"}},
+       {Kind::sgbm_hh4, {cv::StereoSGBM::MODE_HH4, "sgbm_hh4", "StereoSGBM, HH4"}},
+       {Kind::sgbm_hh, {cv::StereoSGBM::MODE_HH, "sgbm_hh", "StereoSGBM, HH"}}};
+   return modes.at(kind);
+}
+
 cv::Ptr<cv::StereoMatcher> create(const OpenCvMatcher& matcher) {
    const int block = matcher.block_px, area = block * block;
-   if (matcher.kind == OpenCvMatcher::Kind::bm) return cv::StereoBM::create(matcher.disparities, block);
+   if (matcher.kind == Kind::bm) return cv::StereoBM::create(matcher.disparities, block);
    return cv::StereoSGBM::create(0, matcher.disparities, block, 10 * area, 40 * area, 1, 63, 10, 100, 32,
-                                 cv::StereoSGBM::MODE_SGBM);
+                                 mode_of(matcher.kind).number);
 }
 
 }  // namespace
+
+const char* OpenCvMatcher::name() const { return kind == Kind::bm ? "StereoBM" : mode_of(kind).name; }
+
+const std::map<std::string, Kind>& opencv_kinds() {
+   static const std::map<std::string, Kind> kinds = [] {
+      std::map<std::string, Kind> found{{"bm", Kind::bm}};
+      for (const Kind kind : {Kind::sgbm, Kind::sgbm_3way, Kind::sgbm_hh4, Kind::sgbm_hh})
+         found[mode_of(kind).word] = kind;
+      return found;
+   }();
+   return kinds;
+}
 
 nlohmann::json parameters_json(const OpenCvMatcher& matcher) {
    const cv::Ptr<cv::StereoMatcher> made = create(matcher);
@@ -37,7 +66,7 @@ nlohmann::json parameters_json(const OpenCvMatcher& matcher) {
                    {"p2", sgbm->getP2()},
                    {"prefilter_cap", sgbm->getPreFilterCap()},
                    {"uniqueness_percent", sgbm->getUniquenessRatio()},
-                   {"mode", sgbm->getMode() == cv::StereoSGBM::MODE_SGBM ? "sgbm" : "other"}});
+                   {"mode", mode_of(matcher.kind).word}});
    return json;
 }
 
@@ -46,7 +75,7 @@ void check_opencv_matcher(const OpenCvMatcher& matcher, int width, int height) {
    if (matcher.disparities < 16 || matcher.disparities % 16 != 0 || matcher.disparities > kLargestRange)
       throw InputError("--opencv-disparities " + std::to_string(matcher.disparities) + ": " + name +
                        " takes a multiple of 16 from 16 to " + std::to_string(kLargestRange));
-   const bool bm = matcher.kind == OpenCvMatcher::Kind::bm;
+   const bool bm = matcher.kind == Kind::bm;
    const int smallest = bm ? 5 : 1, largest = std::min(bm ? 255 : 51, std::min(width, height) - 1);
    if (matcher.block_px % 2 == 0 || matcher.block_px < smallest || matcher.block_px > largest)
       throw InputError("--opencv-block " + std::to_string(matcher.block_px) + ": for images of " +

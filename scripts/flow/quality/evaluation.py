@@ -11,7 +11,7 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Word, find_stereo_hls, run
 
 FORMAT = "stereo-hls evaluation 1"
-MASKS = ("non_occluded", "all", "discontinuity", "textureless")
+MASKS = ("non_occluded", "searchable", "all", "discontinuity", "textureless")
 MEASURES = ("bad_0_5", "bad_1", "bad_2", "bad_4", "d1")
 SCENE_SIZE = ("--width", 450, "--height", 375)
 
