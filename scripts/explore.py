@@ -54,6 +54,13 @@ def parse() -> Namespace:
         help="options to sweep off and on (default xsobel left_right subpixel median)",
     )
     parser.add_argument(
+        "--config",
+        nargs="*",
+        default=["sgm_450", "sgm_640"],
+        metavar="NAME",
+        help="configurations that are tried as they are, but for the disparities (default sgm_450 sgm_640)",
+    )
+    parser.add_argument(
         "--mask", choices=evaluation.MASKS, default="non_occluded", help="region that counts (default non_occluded)"
     )
     parser.add_argument(
@@ -118,6 +125,7 @@ def main() -> int:
         list(dict.fromkeys(options.switch)),
     )
     choices, refused = explore.choices(sweep, family)
+    choices += explore.named_choices(options.config, sweep.ranges)
     if not choices:
         raise FlowError("no choice is left: census takes no x-Sobel, and the texture check needs it")
     number = options.scenes if options.scenes is not None else (0 if options.pair else 2)

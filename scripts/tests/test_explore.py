@@ -152,7 +152,9 @@ def explored(tmp_path_factory):
     words = "scene --width 120 --height 80 --disparities 16 --seed 3 --out".split()
     subprocess.run([find_stereo_hls(), *words, scene], check=True, capture_output=True)
     pair = [scene / name for name in ("left.png", "right.png", "disparity_left.png", "disparity_right.png")]
-    options = "--scenes 1 --window 3 5 --cost sad census --switch left_right --range 16 --jobs 2".split()
+    options = (
+        "--scenes 1 --window 3 5 --cost sad census --switch left_right --range 16 --config sgm_450 --jobs 2".split()
+    )
     process = call("explore.py", "--pair", *pair, *options, "--out", folder / "out")
     assert process.returncode == 0, process.stdout + process.stderr
     return process, folder / "out"
@@ -161,8 +163,8 @@ def explored(tmp_path_factory):
 def test_files_of_a_sweep(explored):
     process, out = explored
     content = json.loads((out / "explore.json").read_text())
-    assert content["format"] == explore.FORMAT and len(content["choices"]) == 8
-    assert "8 choices of options on 2 pairs (pair, scene 1)" in process.stdout
+    assert content["format"] == explore.FORMAT and len(content["choices"]) == 9
+    assert "9 choices of options on 2 pairs (pair, scene 1)" in process.stdout
     assert (out / "front.png").read_bytes().startswith(b"\x89PNG") and (out / "front.png").stat().st_size > 10_000
     with open(out / "explore.csv", newline="") as file:
         lines = list(csv.DictReader(file))
@@ -189,6 +191,14 @@ def test_rows_are_what_their_commands_print(explored, tmp_path):
             masks.append(method["masks"]["non_occluded"])
         assert row["bad_2_valid_only_percent"] == pytest.approx(50 * sum(mask["bad_2"]["valid_only"] for mask in masks))
         assert row["density_percent"] == pytest.approx(50 * sum(mask["density"] for mask in masks))
+
+
+def test_a_configuration_of_another_family_is_tried_as_it_is(explored):
+    _, out = explored
+    row = json.loads((out / "explore.json").read_text())["choices"][-1]
+    assert (row["title"], row["cost"], row["disparities"]) == ("sgm_450", "semi_global", 16)
+    assert all("--config sgm_450" in line and "disparities=16" in line for line in row["commands"])
+    assert (row["luts"] is None) == (row["luts_are"] == ABSENT)
 
 
 def test_what_is_measured_is_said(explored):

@@ -16,6 +16,7 @@ from typing import Any
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from ..base import files
+from ..base.configurations import configuration, option
 from ..base.errors import FlowError
 from ..base.tools import Word
 from . import evaluation, hardware_cost
@@ -47,9 +48,9 @@ class Pair:
 
     def words(self) -> list[Word]:
         words: list[Word] = ["--left", self.left, "--right", self.right]
-        for option, path in (("--truth-left", self.truth_left), ("--truth-right", self.truth_right)):
+        for word, path in (("--truth-left", self.truth_left), ("--truth-right", self.truth_right)):
             if path:
-                words += [option, path]
+                words += [word, path]
         if self.scale != 1:
             words += ["--truth-scale", f"{self.scale:g}"]
         return words
@@ -72,9 +73,12 @@ class Choice:
     disparities: int
     switches: tuple[str, ...]
     settings: tuple[str, ...]  # ("NAME=VALUE", ...)
+    config: str = hardware_cost.BASE  # another one is tried as it is, but for the disparities
 
     @property
     def title(self) -> str:
+        if self.config != hardware_cost.BASE:
+            return self.config
         return " ".join([f"{self.cost} {self.window}x{self.window}", *self.switches])
 
 
@@ -103,6 +107,16 @@ def choices(sweep: Sweep, family: hardware_cost.Study) -> tuple[list[Choice], in
     return found, refused
 
 
+def named_choices(names: Iterable[str], ranges: Iterable[int]) -> list[Choice]:
+    """Configurations as they are, of any family, for each range."""
+    return [
+        Choice(option(row, "window_px") or 1, row["family"], disparities, (), (f"disparities={disparities}",), name)
+        for disparities in ranges
+        for name in names
+        for row in (configuration(name),)
+    ]
+
+
 def _is_possible(cost: str, switches: tuple[str, ...]) -> bool:
     """Census takes no x-Sobel, and the texture check needs it."""
     if cost == "census":
@@ -123,7 +137,7 @@ def generated_scenes(number: int, disparities: int, folder: Path) -> list[Pair]:
 def words(pair: Pair, choice: Choice) -> list[Word]:
     """What `stereo_hls evaluate` takes."""
     settings = [word for setting in choice.settings for word in ("--set", setting)]
-    return [*pair.words(), "--config", hardware_cost.BASE, *settings]
+    return [*pair.words(), "--config", choice.config, *settings]
 
 
 def command(pair: Pair, choice: Choice) -> str:
@@ -175,7 +189,10 @@ def rows(
         masks = [method["masks"][mask] for method in of_pairs if mask in method["masks"]]
         if len(masks) != len(pairs):
             raise FlowError(f"a pair has no pixels in the region '{mask}'; non_occluded needs the truth of both images")
-        cost = family.cost(of_pairs[0]["parameters"])
+        if choice.config == hardware_cost.BASE:
+            cost = family.cost(of_pairs[0]["parameters"])
+        else:
+            cost = hardware_cost.of_configuration(choice.config, choice.disparities)
         row: Row = {
             "title": choice.title,
             "window": choice.window,

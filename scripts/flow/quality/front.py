@@ -13,6 +13,7 @@ from . import explore, hardware_cost
 from .explore import Row
 
 _COLORS = {"sad": "#1f5fa8", "ssd": "#c05a00", "census": "#2b7a3d"}
+_OTHER_COLOR = "#8a2be2"  # of other families
 ABSENT_SHOWN = 5
 
 Axis = Any  # of matplotlib, which has no types
@@ -69,7 +70,8 @@ def _points(axis: Axis, table: list[Row], key: str, disparities: int) -> None:
 
 def _scatter(axis: Axis, rows: list[Row], key: str) -> None:
     """Measured points are filled, estimated ones hollow, one colour for each cost."""
-    for cost, color in _COLORS.items():
+    for cost in dict.fromkeys([*_COLORS, *(row["cost"] for row in rows)]):
+        color = _COLORS.get(cost, _OTHER_COLOR)
         for kind, face in ((hardware_cost.MEASURED, color), (hardware_cost.ESTIMATE, "none")):
             members = [row for row in rows if row["cost"] == cost and row["luts_are"] == kind]
             if members:

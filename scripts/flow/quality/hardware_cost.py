@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from ..base import rtl
 from ..base.configurations import Parameters
 from ..implementation import figures
 from ..implementation.record import Area
@@ -193,6 +194,19 @@ class Study:
             f"{_SCALE_CHECK[0]} in proportion to the disparities of {_SCALE_CHECK[1]} gives {guess:,.0f} LUT4, "
             f"measured are {truth:,}: {100 * (guess / truth - 1):+.0f} %"
         )
+
+
+def of_configuration(name: str, disparities: int) -> Cost:
+    """What a committed configuration takes, in proportion to its disparities for another number of them."""
+    if name not in rtl.known_configurations():
+        return Cost(ABSENT, None, (), (name,))
+    known = Configuration(name, stale_is_none=True)
+    if TARGET not in known.targets:
+        return Cost(ABSENT, None, (), (name,))
+    luts, own = figures.lut_count(known.targets[TARGET]), known.parameters["disparities"]
+    if disparities == own:
+        return Cost(MEASURED, luts, (name,))
+    return Cost(ESTIMATE, round(luts * disparities / own), (name,))
 
 
 def _key(values: Features) -> _Key:
