@@ -51,6 +51,7 @@ stereo_add_unit_tests(
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
+  blocks/trellis/forward_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
@@ -71,8 +72,10 @@ stereo_add_unit_tests(
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
   definition/semi_global/reference_model_test.cpp
+  definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
   engines/fast/semi_global/fast_model_test.cpp
+  engines/fast/trellis/fast_model_test.cpp
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
   program/depth/depth_test.cpp

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Puts single faults into copies of the VHDL, of the core (configuration tiny) and of its AXI4-Stream shell, and counts
+"""Puts single faults into copies of the VHDL, of the core of a configuration and of its AXI4-Stream shell, and counts
 which of them the tests notice. Survivors that are equivalent are explained in hls_tb/mutation/equivalent.json."""
 
 import sys
@@ -16,6 +16,7 @@ LEAST_SCORE_PERCENT = 98
 
 def main() -> int:
     parser = ArgumentParser(prog="mutate.py", description=__doc__)
+    parser.add_argument("--config", default="tiny", metavar="NAME", help="a small configuration (default tiny)")
     parser.add_argument("--core", type=int, default=60, metavar="N", help="mutants of the generated VHDL (default 60)")
     parser.add_argument(
         "--shell", type=int, default=60, metavar="N", help="mutants of the hand-written VHDL (default 60)"
@@ -26,7 +27,8 @@ def main() -> int:
     options = parser.parse_args()
     if min(options.core, options.shell) < 0 or options.core + options.shell < 1 or options.jobs < 1:
         raise FlowError("--core and --shell must be 0 or more, together and --jobs 1 or more")
-    score, unexplained = Run(options.seed, options.core, options.shell, options.jobs).run().report(options.out)
+    run = Run(options.seed, options.core, options.shell, options.jobs, config=options.config)
+    score, unexplained = run.run().report(options.out)
     return EXIT_OK if score >= LEAST_SCORE_PERCENT and not unexplained else EXIT_MISMATCH
 
 

@@ -6,8 +6,9 @@ from itertools import islice
 
 import pytest
 
-from flow.mutation import judges, mutants, run
+from flow.mutation import mutants, run
 from flow.shell import design
+from flow.synthesis import manifest
 from flow_commands import call, refused
 
 TEXT = """-- SPDX-License-Identifier: Apache-2.0
@@ -133,7 +134,7 @@ def test_an_explanation_of_a_killed_mutant_is_reported(blind):
 
 
 def test_each_explanation_names_a_mutant_and_gives_a_reason():
-    keys = {mutant.key for path in (*judges.core_files(), *design.shell_files()) for mutant in mutants.mutants_of(path)}
+    keys = {mutant.key for path in (*manifest.core_files("tiny"), *design.shell_files()) for mutant in mutants.mutants_of(path)}
     explanations = json.loads(run.EXPLANATIONS.read_text())
     assert set(explanations) <= keys, set(explanations) - keys
     assert all(len(reason) > 20 for reason in explanations.values())

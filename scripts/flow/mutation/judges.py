@@ -17,7 +17,6 @@ from ..shell.cocotb_runs import Selection
 from ..synthesis import manifest
 from .mutants import Mutant
 
-CONFIG = "tiny"
 WORK = ROOT / "build" / "mutation"
 WATCHDOG_SECONDS = 120
 # (grey levels, distance between them, bubbles in percent, what comes) of the co-simulations of the core alone
@@ -31,26 +30,32 @@ CORE_RUNS = (
 )
 CONFIG_OF_SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the core: a third frame has to wait
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
-SHELL_STAGES = (
-    Selection(CONFIG, "test_stereo_ip", ("full_speed", "stalls_30_30")),
-    Selection(CONFIG, "test_registers"),
-    Selection(CONFIG, "test_stereo_ip"),
-    Selection(CONFIG, "test_stereo_ip", _GAPS, {"gap_groups": 33}),
-    Selection(CONFIG, "test_stereo_ip", _GAPS, {"gap_groups": 40, "flush_groups": 60}),
-    Selection(CONFIG, "test_generics", ("wrong_latency",), {"latency_clocks": 14}),
-    Selection(CONFIG, "test_generics", ("wrong_latency",), {"latency_clocks": 16}),
-    Selection(CONFIG, "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}),
-    Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture")),
-)
-# What the co-simulation of the core alone does not do: what the shell makes of breaks and resets.
-CORE_STAGES = (
-    Selection(CONFIG, "test_stereo_ip", ("full_speed",), {"gap_groups": 40, "flush_groups": 60}),
-    Selection(CONFIG, "test_stereo_ip", ("reset_at_any_clock", "gaps_of_all_lengths", "mixture")),
-)
 
 
-def core_files() -> list[Path]:
-    return manifest.core_files(CONFIG)
+def shell_stages(config: str) -> list[Selection]:
+    row = configuration(config)
+    latency, least = row["latency_clocks"], max(row["flush_groups"], row["gap_groups"])
+    longer = {"gap_groups": least + 8, "flush_groups": least + 28}
+    return [
+        Selection(config, "test_stereo_ip", ("full_speed", "stalls_30_30")),
+        Selection(config, "test_registers"),
+        Selection(config, "test_stereo_ip"),
+        Selection(config, "test_stereo_ip", _GAPS, {"gap_groups": least + 1}),
+        Selection(config, "test_stereo_ip", _GAPS, longer),
+        Selection(config, "test_generics", ("wrong_latency",), {"latency_clocks": latency - 1}),
+        Selection(config, "test_generics", ("wrong_latency",), {"latency_clocks": latency + 1}),
+        Selection(config, "test_generics", ("starts_disabled",), {"enabled_at_reset": "false"}),
+        Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture")),
+    ]
+
+
+def core_stages(config: str) -> list[Selection]:
+    """What the co-simulation of the core alone does not do: what the shell makes of breaks and resets."""
+    longer = next(stage for stage in shell_stages(config) if "flush_groups" in stage.generics)
+    return [
+        longer._replace(tests=("full_speed",)),
+        Selection(config, "test_stereo_ip", ("reset_at_any_clock", "gaps_of_all_lengths", "mixture")),
+    ]
 
 
 def compiles(files: Iterable[Path], folder: Path) -> bool:
@@ -83,17 +88,17 @@ class _Cosimulation(NamedTuple):
 class Core:
     """Mutants of the core: co-simulation with the C++ core, then inside the shell."""
 
-    def __init__(self) -> None:
-        self.parameters = configuration(CONFIG)
+    def __init__(self, config: str) -> None:
+        self.config, self.parameters = config, configuration(config)
         self.runs = [self._made(number, *row) for number, row in enumerate(CORE_RUNS)]
 
     def _made(self, number: int, levels: int, distance: int, stalls: int, what: tuple[str, int]) -> _Cosimulation:
-        folder = WORK / f"vectors_{number}"
+        folder = WORK / f"vectors_{self.config}_{number}"
         folder.mkdir(parents=True, exist_ok=True)
         generator = random.Random(number)
         for side in ("left", "right"):
             pool.write_noise(folder / f"{side}.pgm", self.parameters, generator, levels, distance)
-        command: list[Word] = [find_stereo_hls(), "vectors", "--config", CONFIG, "--left", folder / "left.pgm"]
+        command: list[Word] = [find_stereo_hls(), "vectors", "--config", self.config, "--left", folder / "left.pgm"]
         command += ["--right", folder / "right.pgm", *what, "--stall-percent", stalls, "--out", folder]
         run(command, passes_errors=True)
         stimulus = folder / "stimulus.txt"
@@ -102,7 +107,7 @@ class Core:
 
     def noticed(self, files: Iterable[Path], folder: Path) -> str:
         lanes, bits = self.parameters["pixels_per_clock"], self.parameters["disparity_bits"]
-        simulator = Ghdl(CONFIG, files, folder / "core", lanes, bits)
+        simulator = Ghdl(self.config, files, folder / "core", lanes, bits)
         simulator.build()
         for number, (stimulus, clocks, expected) in enumerate(self.runs):
             observed_path = folder / "observed.txt"
@@ -120,16 +125,16 @@ class Core:
 class Shell:
     """Mutants of the shell, and of the core where the core alone shows nothing: the cocotb tests."""
 
-    def __init__(self, stages: Iterable[Selection] = SHELL_STAGES) -> None:
-        self.stages = list(stages)
+    def __init__(self, config: str, stages: list[Selection]) -> None:
+        self.config, self.stages = config, stages
         self.pools = {stage.config: WORK / f"pool_{stage.config}" for stage in self.stages}
         for config, path in self.pools.items():
             pool.make_pool(config, configuration(config), cocotb_runs.PAIRS, 1, path)
 
     def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
-        """`core`: the files of CONFIG's core."""
+        """`core`: the files of the configuration's core."""
         for number, (config, module, tests, generics, _) in enumerate(self.stages):
-            cores = core if config == CONFIG else manifest.core_files(config)
+            cores = core if config == self.config else manifest.core_files(config)
             simulation = cocotb_runs.Ghdl(config, folder / "shell", [*cores, *shell], generics)
             simulation.build()
             try:

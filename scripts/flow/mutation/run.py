@@ -20,7 +20,7 @@ from ..cosim import checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script
 from ..synthesis import manifest
 from . import judges, mutants
-from .judges import CONFIG_OF_SHORT_FRAMES, CORE_STAGES, WORK, Core, Shell, compiles, core_files, refuted
+from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, core_stages, refuted, shell_stages
 
 EXPLANATIONS = ROOT / "hls_tb" / "mutation" / "equivalent.json"
 
@@ -46,20 +46,20 @@ class Verdict:
 class EarlierVerdicts:
     """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was."""
 
-    def __init__(self) -> None:
-        digest = hashlib.sha256(b"".join(path.read_bytes() for path in self._sources())).hexdigest()[:16]
+    def __init__(self, config: str) -> None:
+        digest = hashlib.sha256(b"".join(path.read_bytes() for path in self._sources(config))).hexdigest()[:16]
         WORK.mkdir(parents=True, exist_ok=True)
         self.path = WORK / f"verdicts_{digest}.jsonl"
         lines = self.path.read_text().splitlines() if self.path.is_file() else []
         self.known: dict[str, dict[str, Any]] = {entry["key"]: entry for entry in map(json.loads, lines)}
 
     @staticmethod
-    def _sources() -> list[Path]:
+    def _sources(config: str) -> list[Path]:
         """Everything that decides a verdict."""
         modules = (broken, checker, cocotb_runs, contract, formal, ghdl, judges, mutants, pool, script)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
-            *core_files(),
+            *manifest.core_files(config),
             *design.shell_files(),
             *manifest.core_files(CONFIG_OF_SHORT_FRAMES),
             *(path for path in benches if path.name != "diagrams.py"),
@@ -80,11 +80,15 @@ class EarlierVerdicts:
 class Run:
     """A number of mutants of the core and of the shell, some at a time."""
 
-    def __init__(self, seed: int, core_count: int, shell_count: int, jobs: int = 2, say: Say = print) -> None:
+    def __init__(
+        self, seed: int, core_count: int, shell_count: int, jobs: int = 2, say: Say = print, config: str = "tiny"
+    ) -> None:
+        self.core_files = manifest.core_files(config)
         self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
-        self.core, self.shell, self.core_in_shell = Core(), Shell(), Shell(CORE_STAGES)
+        self.core, self.shell = Core(config), Shell(config, shell_stages(config))
+        self.core_in_shell = Shell(config, core_stages(config))
         self.explanations: dict[str, str] = json.loads(EXPLANATIONS.read_text())
-        self.earlier = EarlierVerdicts()
+        self.earlier = EarlierVerdicts(config)
         self.verdicts: list[Verdict] = []
         self.number, self.started = 0, {True: 0, False: 0}  # of mutants, of those of the core and of the shell
         self.lock = threading.Lock()
@@ -95,7 +99,7 @@ class Run:
         changed = mutants.write(mutant, folder / "rtl")
         core, shell = (
             [changed if path.name == changed.name else path for path in files]
-            for files in (core_files(), design.shell_files())
+            for files in (self.core_files, design.shell_files())
         )
         (folder / "compile").mkdir()
         started = time.monotonic()
@@ -139,7 +143,7 @@ class Run:
 
     def run(self) -> "Run":
         for is_core, files, count in (
-            (True, core_files(), self.counts[0]),
+            (True, self.core_files, self.counts[0]),
             (False, design.shell_files(), self.counts[1]),
         ):
             stream = mutants.shuffled(files, self.seed)

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "semi_global/config.hpp"
+#include "trellis/matching.hpp"
+
+namespace stereo::trellis {
+
+using semi_global::kWindowConfig;
+using semi_global::Structure;
+
+/// One hardware configuration of the trellis core. The named ones are in configurations.hpp.
+struct Config : Image, Matching, Structure {
+   /// The core of semi-global matching whose costs come in. It has the path from the right only: its rows go out as the
+   /// trellis is traced back, from their last column to their first.
+   constexpr semi_global::Config costs() const {
+      semi_global::Matching matching = path_costs();
+      matching.path_left = matching.path_above = false;
+      return {Image(*this), matching, Structure(*this)};
+   }
+
+   constexpr int output_width_px() const { return costs().output_width_px(); }
+   constexpr int disparity_bits() const { return 8; }
+   constexpr int steps_per_pixel() const { return 1; }
+
+   constexpr bool has_far_drop() const { return far_drop < disparities; }
+
+   /// Largest difference of two states' path costs E in one column; docs/algorithm.md proves it.
+   constexpr int largest_spread() const {
+      const int highest = costs().largest_cost(), levels = disparities - 1;
+      const int drops = has_far_drop() ? levels / far_drop + levels % far_drop : levels;
+      const int rise = levels * (occlusion_cost > highest ? occlusion_cost : highest);
+      const int fall = drops * (drop_cost + 2 * highest);
+      return rise > fall ? rise : fall;
+   }
+   /// Path costs are kept modulo 2^bits: less than half of it lies between any two that are compared.
+   constexpr int path_bits() const {
+      const int highest = costs().largest_cost(), step = occlusion_cost > highest ? occlusion_cost : highest;
+      return 1 + bits_for(largest_spread() + drop_cost + highest + step);
+   }
+
+   template <class Self, class Visitor>
+   static constexpr void options(Self& self, Visitor& visit) {
+      Image::options(self, visit);
+      Matching::options(self, visit);
+      Structure::options(self, visit);
+   }
+
+   /// Why this core cannot be built; empty when it can. Each block relies on it instead of repeating it.
+   constexpr Sentence problem() const {
+      if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
+      return costs().problem();
+   }
+};
+
+template <const auto& C>
+inline constexpr auto kCostConfig = C.costs();
+
+template <const auto& C>
+using PathCost = semi_global::PathCost<kCostConfig<C>>;
+/// A path cost modulo 2^path_bits().
+template <const auto& C>
+using PathValue = uint_of_bits<C.path_bits()>;
+
+}  // namespace stereo::trellis

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/trellis/fast_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "definition/semi_global/matching_input.hpp"
+#include "definition/trellis/models.hpp"
+#include "scene/random.hpp"
+#include "testing/map_compare.hpp"
+#include "testing/seed.hpp"
+#include "testing/test_pairs.hpp"
+
+namespace stereo::test {
+namespace {
+
+using trellis::Matching;
+
+/// Any options that the models take, for images of this width.
+Matching random_options(Random& random, int width) {
+   Matching m{.disparities = 2 + random.below(std::min(width - 2, 40))};
+   m.window_px = random.percent(60) ? 1 + random.below(4) : 1 + random.below(30);
+   if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
+   while (semi_global::map_width(width, m.path_costs()) < 2) m.min_disparity /= 2;
+   m.cost = random.percent(50) ? Cost::census : random.percent(80) ? Cost::sad : Cost::ssd;
+   m.census_width_px = 3 + 2 * random.below(4);
+   m.census_height_px = 3 + 2 * random.below(3);
+   if (m.cost != Cost::census && random.percent(40)) m.prefilter = Prefilter::xsobel;
+   m.cost_shift = random.below(m.cost == Cost::census ? 6 : 17);
+   if (random.percent(50)) m.cost_cap = 1 + random.below(random.percent(60) ? 40 : 4095);
+   m.drop_cost = random.below(random.percent(70) ? 12 : 256);
+   m.occlusion_cost = 1 + random.below(random.percent(70) ? 20 : 255);
+   m.far_drop = 2 + random.below(random.percent(70) ? 10 : 254);
+   m.mark_occluded = random.percent(70);
+   m.median = random.percent(40);
+   return m;
+}
+
+TEST(TrellisFastModel, EqualsTheReferenceWithAnyOptions) {
+   Random random(test_seed());
+   int with_occlusions = 0;
+   for (int i = 0; i < 400; ++i) {
+      const int width = 4 + random.below(100), height = 1 + random.below(20);
+      const Matching matching = random_options(random, width);
+      ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const int kind = random.below(10);
+      if (kind == 0) pair = {GrayImage(width, height, 255), GrayImage(width, height, 0)};
+      if (kind > 5) pair = shifted_pair(width, height, random.below(width), test_seed() + uint64_t(i));
+      const DisparityMap expected = match_reference(pair.left, pair.right, matching);
+      ASSERT_TRUE(same_map(expected, match_fast(pair.left, pair.right, matching)))
+          << i << ": " << width << 'x' << height << ' ' << describe(matching);
+      with_occlusions += std::count(expected.valid.begin(), expected.valid.end(), 0) > 0 ? 1 : 0;
+   }
+   EXPECT_GT(with_occlusions, 60) << "or occlusions have hardly been compared";
+}
+
+TEST(TrellisFastModel, EqualsTheReferenceOnLargerImages) {
+   for (const NamedPair& pair : test_pairs(300, 20, 64, test_seed()))
+      for (const int disparities : {31, 32, 33, 64, 128, 256}) {
+         const Matching matching{.disparities = disparities, .median = true};
+         EXPECT_TRUE(same_map(match_reference(pair.images.left, pair.images.right, matching),
+                              match_fast(pair.images.left, pair.images.right, matching)))
+             << pair.name << ' ' << disparities;
+      }
+}
+
+TEST(TrellisFastModel, RejectsWhatTheReferenceRejects) {
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .occlusion_cost = 0}),
+                std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stereo::test
