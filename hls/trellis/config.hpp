@@ -29,9 +29,8 @@ struct Config : Image, Matching, Structure {
    constexpr int largest_spread() const {
       const int highest = costs().largest_cost(), levels = disparities - 1;
       const int drops = has_far_drop() ? levels / far_drop + levels % far_drop : levels;
-      const int rise = levels * (occlusion_cost > highest ? occlusion_cost : highest);
-      const int fall = drops * (drop_cost + 2 * highest);
-      return rise > fall ? rise : fall;
+      const int columns = 2 * drops > levels ? 2 * drops : levels;
+      return columns * (occlusion_cost > highest ? occlusion_cost : highest) + drops * drop_cost;
    }
    /// Path costs are kept modulo 2^bits: less than half of it lies between any two that are compared.
    constexpr int path_bits() const {

@@ -27,8 +27,8 @@ struct DecisionTurn {
    Memory memory;
    Word read_words[Pack::kWords];  // beside the entry's costs
    // move 1
-   Word ready_words[Pack::kWords];
-   bool ready_inside;  ///< a column of the map
+   uint8_t ready_decision[kCount];  ///< one register each: a choice among lanes of a word would become a shift
+   bool ready_inside;               ///< a column of the map
    // what is written
    bool comes[kWriteMoves];  ///< [j]: the column of j+1 moves ago is one of the map
    uint16_t place[kWriteMoves];
@@ -43,16 +43,13 @@ struct DecisionTurn {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("read_words", read_words);
-      visit("ready_words", ready_words);
+      visit("ready_decision", ready_decision);
       visit("ready_inside", ready_inside);
       visit("comes", comes);
       visit("place", place);
       visit("write_words", write_words);
       visit("write_place", write_place);
    }
-
-   /// The decision of state d.
-   HLS_INLINE uint8_t decision(int d) const { return Pack::lane(ready_words, d); }
 
    HLS_INLINE void clock(const Entry& entry, const Forward<C>& forward) {
       const bool move = entry.tag.valid;
@@ -64,9 +61,12 @@ struct DecisionTurn {
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) {
          write_words[w] = select<Word>(writes, words[w], write_words[w]);
-         ready_words[w] = select<Word>(move, read_words[w], ready_words[w]);
-         read_words[w] = stored[w];
       }
+      HLS_UNROLL
+      for (int d = 0; d < kCount; ++d)
+         ready_decision[d] = select<uint8_t>(entry.moves_right.lane(d), Pack::lane(read_words, d), ready_decision[d]);
+      HLS_UNROLL
+      for (int w = 0; w < Pack::kWords; ++w) read_words[w] = stored[w];
       write_place = select<uint16_t>(writes, place[kWriteMoves - 1], write_place);
       ready_inside = select<bool>(move, entry.turned.map_column, ready_inside);
       HLS_UNROLL

@@ -73,7 +73,7 @@ struct Traceback {
    /// Of states First ... First+Count-1, by the bits of the index from the highest down.
    template <int First, int Count>
    static HLS_INLINE uint8_t half(const Turn& turn, uint8_t index) {
-      if constexpr (Count == 1) return turn.decision(First);
+      if constexpr (Count == 1) return turn.ready_decision[First];
       else {
          constexpr int kLow = power_of_two_below(Count);
          const bool upper = (index & kLow) != 0;
