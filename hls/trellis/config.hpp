@@ -25,10 +25,19 @@ struct Config : Image, Matching, Structure {
 
    constexpr bool has_far_drop() const { return far_drop < disparities; }
 
+   /// Drops from one state to another, the way that has most of them.
+   constexpr int most_drops() const {
+      int most = 0;
+      for (int fall = 1; fall < disparities; ++fall) {
+         const int drops = has_far_drop() ? fall / far_drop + fall % far_drop : fall;
+         most = drops > most ? drops : most;
+      }
+      return most;
+   }
    /// Largest difference of two states' path costs E in one column; docs/algorithm.md proves it.
    constexpr int largest_spread() const {
       const int highest = costs().largest_cost(), levels = disparities - 1;
-      const int drops = has_far_drop() ? levels / far_drop + levels % far_drop : levels;
+      const int drops = most_drops();
       const int columns = 2 * drops > levels ? 2 * drops : levels;
       return columns * (occlusion_cost > highest ? occlusion_cost : highest) + drops * drop_cost;
    }
