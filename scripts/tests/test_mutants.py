@@ -134,7 +134,11 @@ def test_an_explanation_of_a_killed_mutant_is_reported(blind):
 
 
 def test_each_explanation_names_a_mutant_and_gives_a_reason():
-    keys = {mutant.key for path in (*manifest.core_files("tiny"), *design.shell_files()) for mutant in mutants.mutants_of(path)}
+    keys = {
+        mutant.key
+        for path in (*manifest.core_files("tiny"), *design.shell_files())
+        for mutant in mutants.mutants_of(path)
+    }
     explanations = json.loads(run.EXPLANATIONS.read_text())
     assert set(explanations) <= keys, set(explanations) - keys
     assert all(len(reason) > 20 for reason in explanations.values())

@@ -34,9 +34,9 @@ def test_stereo_bm_is_measured_as_opencv_measures_it(teddy):
 
 
 def test_the_best_of_ours_are_as_good_as_those_of_opencv(teddy):
-    title, best = quality.best_of_family(teddy, is_semi_global=False)
+    title, best = quality.best_of_family(teddy, "block_matching")
     assert quality.bad_1(best) <= quality.bad_1(dict(teddy)[quality.BM]), title
-    title, best = quality.best_of_family(teddy, is_semi_global=True)
+    title, best = quality.best_of_family(teddy, "semi_global")
     for mode in ("StereoSGBM", "StereoSGBM, 3WAY", "StereoSGBM, HH4", "StereoSGBM, HH"):
         assert quality.bad_1(best) <= quality.bad_1(dict(teddy)[mode]), f"{title}, {mode}"
 

@@ -56,7 +56,12 @@ OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("semi-global, `sgm_450`, paths along rows only", "sgm_450", ("path_above=false",)),
     ("semi-global, single pixels, `sgm_640`", "sgm_640", ()),
     ("semi-global, single pixels, `sgm_640`, subpixel", "sgm_640", ("subpixel=true",)),
+    ("trellis, `trellis_1300`", "trellis_1300", ()),
+    ("trellis, `trellis_1300`, occluded pixels shown", "trellis_1300", ("mark_occluded=false",)),
 ]
+# Of the base configurations.
+_FAMILY = {"sgm_450": "semi_global", "sgm_640": "semi_global", "trellis_1300": "trellis"}
+_OTHERS = "block_matching"
 PAIR_DISPARITIES = 48
 SCENE_DISPARITIES = 64
 SCENE_SEEDS = (1, 2, 3)
@@ -157,8 +162,8 @@ def best_of(results: Measured, titles: Iterable[str]) -> tuple[str, Method]:
     return min(found, key=lambda entry: bad_1(entry[1]))
 
 
-def best_of_family(results: Measured, is_semi_global: bool) -> tuple[str, Method]:
-    return best_of(results, (row[0] for row in OURS if row[1].startswith("sgm_") == is_semi_global))
+def best_of_family(results: Measured, family: str) -> tuple[str, Method]:
+    return best_of(results, (title for title, config, _ in OURS if _FAMILY.get(config, _OTHERS) == family))
 
 
 def _beside(ours: Method, theirs: Method) -> str:
@@ -167,8 +172,8 @@ def _beside(ours: Method, theirs: Method) -> str:
 
 
 def verdict(results: Measured) -> str:
-    title, best = best_of_family(results, is_semi_global=False)
-    smooth_title, smooth = best_of_family(results, is_semi_global=True)
+    title, best = best_of_family(results, "block_matching")
+    smooth_title, smooth = best_of_family(results, "semi_global")
     mode, sgbm = best_of(results, (name for name, m in results if m["kind"] == "opencv" and name != BM))
     return (
         "With the same reference image (bad 1, non-occluded, invalid pixels as bad):\n\n"
