@@ -45,14 +45,14 @@ struct Candidate {
       return candidate;
    }
 
-   /// Of two neighbouring ranges.
-   static HLS_INLINE bool upper_wins(const Candidate& a, const Candidate& b) {
-      return Kind.ties == Ties::smallest ? b.cost < a.cost : b.cost <= a.cost;
+   /// Whether the cost of a higher range wins against that of a lower one.
+   static HLS_INLINE bool wins(Value higher, Value lower) {
+      return Kind.ties == Ties::smallest ? higher < lower : higher <= lower;
    }
 
    /// Joins two neighbouring ranges: a.index <= a_last < b_first <= b.index.
    static HLS_INLINE Candidate joined(const Candidate& a, int a_last, const Candidate& b, int b_first) {
-      const bool b_wins = upper_wins(a, b);
+      const bool b_wins = wins(b.cost, a.cost);
       Candidate best;
       best.cost = select<Value>(b_wins, b.cost, a.cost);
       best.index = select<uint8_t>(b_wins, b.index, a.index);
@@ -69,8 +69,8 @@ struct Candidate {
 /// Which of some neighbouring ranges holds the winner.
 struct Choice {
    uint8_t place = 0;      ///< 0, 1, ...
-   bool at_start = false;  ///< the winner is the first disparity of its range
-   bool at_end = false;    ///< the last one
+   bool at_start = false;  ///< the winner is the first disparity of its range, and there is a range before it
+   bool at_end = false;    ///< the last one, and there is a range behind it
 
    static HLS_INLINE Choice of(uint8_t place, bool at_start, bool at_end) {
       Choice choice;
@@ -103,13 +103,23 @@ struct Losers {
       return losers;
    }
 
-   /// Of the range at `place`, beside others: without the winner of all of them and the costs beside it.
-   HLS_INLINE Losers left_by(const Choice& choice, int place) const {
+   /// Adds cost `i` of `count` of neighbouring disparities of which number `place` wins. Without kNone where there are
+   /// numbers: no tool knows that costs are smaller.
+   HLS_INLINE void add_single(Value single, int i, int count, int place) {
+      if (i > 0) but_first = i == 1 ? single : smaller(but_first, single);
+      if (i + 1 < count) but_last = i == 0 ? single : smaller(but_last, single);
+      if (count > 2) second = smaller(second, select<Value>(i - place > 1 || place - i > 1, single, kNone));
+   }
+
+   /// Of the range at `place` of `count`: without the winner of all of them and the costs beside it. In a pair, a flag
+   /// alone says which of the two the winner touches.
+   HLS_INLINE Losers left_by(const Choice& choice, int place, int count) const {
+      const bool touches_last = choice.at_start && (count == 2 ? place == 0 : choice.place == place + 1);
+      const bool touches_first = choice.at_end && (count == 2 ? place == 1 : choice.place + 1 == place);
       Losers losers = *this;
-      losers.second = cost;
-      losers.second = select<Value>(choice.at_start && choice.place == place + 1, but_last, losers.second);
-      losers.second = select<Value>(choice.at_end && choice.place + 1 == place, but_first, losers.second);
-      losers.second = select<Value>(choice.place == place, second, losers.second);
+      losers.second = select<Value>(choice.place == place, second, cost);
+      losers.second = select<Value>(touches_last, but_last, losers.second);
+      losers.second = select<Value>(touches_first, but_first, losers.second);
       return losers;
    }
 

@@ -92,12 +92,12 @@ struct Candidates {
    /// The same of two neighbouring ranges.
    HLS_INLINE void join(int p, int i, const Candidate& a, int a_last, const Candidate& b, int b_first) {
       set(p, i, Candidate::joined(a, a_last, b, b_first),
-          Choice::chosen(Candidate::upper_wins(a, b), Choice::of(0, false, a.index == a_last),
+          Choice::chosen(Candidate::wins(b.cost, a.cost), Choice::of(0, false, a.index == a_last),
                          Choice::of(1, b.index == b_first, false)));
    }
    HLS_INLINE void join_losers(int p, int i, const Others& a, const Others& b) {
       const Choice winner = choice(p, i);
-      set_losers(p, i, Others::joined(a.left_by(winner, 0), b.left_by(winner, 1)));
+      set_losers(p, i, Others::joined(a.left_by(winner, 0, 2), b.left_by(winner, 1, 2)));
    }
 };
 

@@ -51,12 +51,11 @@ struct WinnerTree {
          for (int group = 0; group < kWinners; ++group) {
             const int start = group * kGroup;
             if constexpr (kHasSecond) {
-               // The winner is the first and the last of its range.
-               const Choice choice = Choice::of(best.place[p][group], true, true);
-               Others losers = Others::single(held[p][start]).left_by(choice, 0);
+               const int end = start + kGroup < N ? start + kGroup : N;
+               Others losers;
                HLS_UNROLL
-               for (int i = start + 1; i < start + kGroup && i < N; ++i)
-                  losers = Others::joined(losers, Others::single(held[p][i]).left_by(choice, i - start));
+               for (int i = start; i < end; ++i)
+                  losers.add_single(held[p][i], i - start, end - start, best.place[p][group]);
                best.set_losers(p, group, losers);
             }
             Candidate winner = Candidate::single(cost[p][start], uint8_t(start));
@@ -64,7 +63,7 @@ struct WinnerTree {
             HLS_UNROLL
             for (int i = start + 1; i < start + kGroup && i < N; ++i) {
                const Candidate rival = Candidate::single(cost[p][i], uint8_t(i));
-               choice = Choice::chosen(Candidate::upper_wins(winner, rival), choice,
+               choice = Choice::chosen(Candidate::wins(rival.cost, winner.cost), choice,
                                        Choice::of(uint8_t(i - start), false, false));
                winner = Candidate::joined(winner, i - 1, rival, i);
             }
@@ -87,10 +86,11 @@ struct WinnerTree {
             const int start = group * kGroup;
             if constexpr (kHasSecond) {
                const Choice choice = best.choice(p, group);
-               Others losers = candidates.losers(p, start).left_by(choice, 0);
+               const int count = start + kGroup < N ? kGroup : N - start;
+               Others losers = candidates.losers(p, start).left_by(choice, 0, count);
                HLS_UNROLL
                for (int i = start + 1; i < start + kGroup && i < N; ++i)
-                  losers = Others::joined(losers, candidates.losers(p, i).left_by(choice, i - start));
+                  losers = Others::joined(losers, candidates.losers(p, i).left_by(choice, i - start, count));
                best.set_losers(p, group, losers);
             }
             Candidate winner = candidates.get(p, start);
@@ -98,7 +98,7 @@ struct WinnerTree {
             HLS_UNROLL
             for (int i = start + 1; i < start + kGroup && i < N; ++i) {
                const Candidate rival = candidates.get(p, i);
-               choice = Choice::chosen(Candidate::upper_wins(winner, rival), choice, place_of(rival, i, start));
+               choice = Choice::chosen(Candidate::wins(rival.cost, winner.cost), choice, place_of(rival, i, start));
                winner = Candidate::joined(winner, i * Span - 1, rival, i * Span);
             }
             best.set(p, group, winner, choice);
@@ -114,7 +114,7 @@ struct WinnerTree {
    }
 
   private:
-   /// Candidate `i` as the winner of its group. Where nothing stands beside it in the group, its ends do not matter.
+   /// Candidate `i` as the winner of its group.
    static HLS_INLINE Choice place_of(const Candidate& candidate, int i, int start) {
       return Choice::of(uint8_t(i - start), i > start && candidate.index == i * Span,
                         i + 1 < start + kGroup && i + 1 < N && candidate.index == (i + 1) * Span - 1);

@@ -41,11 +41,11 @@ Range<C> joined_at_random(const std::vector<int>& costs, int first, int end, Ran
    const int split = first + 1 + random.below(end - first - 1);
    const Range<C> a = joined_at_random<C>(costs, first, split, random);
    const Range<C> b = joined_at_random<C>(costs, split, end, random);
-   const bool upper = WindowCandidate<C>::upper_wins(a.best, b.best);
-   const Choice choice = Choice::chosen(upper, Choice::of(0, a.best.index == first, a.best.index == split - 1),
-                                        Choice::of(1, b.best.index == split, b.best.index == end - 1));
+   const bool upper = WindowCandidate<C>::wins(b.best.cost, a.best.cost);
+   const Choice choice = Choice::chosen(upper, Choice::of(0, false, a.best.index == split - 1),
+                                        Choice::of(1, b.best.index == split, false));
    return {WindowCandidate<C>::joined(a.best, split - 1, b.best, split),
-           WindowLosers<C>::joined(a.losers.left_by(choice, 0), b.losers.left_by(choice, 1))};
+           WindowLosers<C>::joined(a.losers.left_by(choice, 0, 2), b.losers.left_by(choice, 1, 2))};
 }
 
 TYPED_TEST(CandidateTest, JoinedRangesKnowWhatTheWholeRangeShows) {
