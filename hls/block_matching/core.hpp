@@ -46,7 +46,7 @@ struct Core {
    //              |        \                          .
    //            slices      texture       Slices::kClocks, side by side
    //              |        /                          .
-   //            refinement                0, 3, 12    uniqueness, subpixel
+   //            refinement                0, 4, 12    uniqueness, subpixel
    //            left_right                4 or none   also from the slices, ahead of the refinement
    //            map_block                 11, 1, none median or register
    //                 |

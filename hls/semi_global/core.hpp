@@ -62,7 +62,7 @@ struct Core {
    //            sums                      rows turned round, path from the right
    //                 |                    from here on, clocks again
    //            winners                   PathWinners::kClocks
-   //            refinement                0, 3, 12    uniqueness, subpixel
+   //            refinement                0, 4, 12    uniqueness, subpixel
    //            left_right                4 or none   also from the winners, ahead of the refinement
    //            turn                      3 or none   rows turned back
    //            map_block                 11, 1, none median or register

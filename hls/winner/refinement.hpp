@@ -15,7 +15,7 @@ struct Refinement {
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kDistanceClocks = 3;
    static constexpr int kQuotientBits = 8;
-   static constexpr int kUniquenessClocks = 3;
+   static constexpr int kUniquenessClocks = 4;
    static constexpr int kClocks = C.subpixel                 ? kDistanceClocks + kQuotientBits + 1
                                   : C.has_uniqueness_check() ? kUniquenessClocks
                                                              : 0;
@@ -26,9 +26,10 @@ struct Refinement {
    uint8_t disparity[kStages][kPixels];
    bool passed[kStages][kPixels];
    PixelTag tag[kStages];
-   // Uniqueness: 100 * second > (100 + percent) * cost, or second > cost + distance - 1. The losers come in stage 0.
-   bool alone[kPixels];  // stage 1: there is no second
-   uint32_t scaled_second[kPixels], scaled_cost[kPixels];
+   // Uniqueness: 100 * gap > percent * cost, or gap > distance - 1. The losers come in stage 0.
+   bool alone[2][kPixels];                              ///< stages 1 and 2: there is no second
+   Value gap[kPixels], lowest[kPixels];                 // stage 1: second - cost; cost
+   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 2
    // Subpixel: u and v are what the costs below and above have more than the winner's.
    Value cost[kPixels], below[kPixels], above[kPixels];  // stage 0
    Value u[kPixels], v[kPixels];                         // stage 1
@@ -47,7 +48,9 @@ struct Refinement {
       visit("passed", passed);
       visit("tag", tag);
       visit("alone", alone);
-      visit("scaled_second", scaled_second);
+      visit("gap", gap);
+      visit("lowest", lowest);
+      visit("scaled_gap", scaled_gap);
       visit("scaled_cost", scaled_cost);
       visit("cost", cost);
       visit("below", below);
@@ -121,15 +124,18 @@ struct Refinement {
    HLS_INLINE void take_second(const Slice& last) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const WindowLosers<C> losers = last.best.losers(p, 0);
-         alone[p] = losers.second == WindowLosers<C>::kNone;
+         alone[1][p] = alone[0][p];
          if constexpr (requires { C.uniqueness_distance; }) {
-            scaled_second[p] = losers.second;
-            scaled_cost[p] = uint32_t(losers.cost) + uint32_t(C.uniqueness_distance - 1);
+            scaled_gap[p] = gap[p];
+            scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);
          } else {
-            scaled_second[p] = uint32_t(losers.second) * (100u / kCommonFactor);
-            scaled_cost[p] = uint32_t(losers.cost) * (uint32_t(100 + C.uniqueness_percent) / kCommonFactor);
+            scaled_gap[p] = uint32_t(gap[p]) * (100u / kCommonFactor);
+            scaled_cost[p] = uint32_t(lowest[p]) * (uint32_t(C.uniqueness_percent) / kCommonFactor);
          }
+         const WindowLosers<C> losers = last.best.losers(p, 0);
+         alone[0][p] = losers.second == WindowLosers<C>::kNone;
+         gap[p] = Value(losers.second - losers.cost) & Value(kMask);
+         lowest[p] = losers.cost;
       }
    }
 
@@ -138,12 +144,12 @@ struct Refinement {
       int factor = 1;
       if constexpr (!requires { C.uniqueness_distance; })
          for (int i = 2; i <= 100; ++i)
-            if (100 % i == 0 && (100 + C.uniqueness_percent) % i == 0) factor = i;
+            if (100 % i == 0 && C.uniqueness_percent % i == 0) factor = i;
       return uint32_t(factor);
    }();
 
    HLS_INLINE bool is_unique(int p) const {
-      return !C.has_uniqueness_check() || alone[p] || scaled_second[p] > scaled_cost[p];
+      return !C.has_uniqueness_check() || alone[1][p] || scaled_gap[p] > scaled_cost[p];
    }
 
    /// Beyond an end of the range stands the cost on the other side.
