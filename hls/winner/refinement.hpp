@@ -168,9 +168,9 @@ struct Refinement {
          difference[p] = int32_t(above[p]) - int32_t(below[p]);
 
          const WindowCandidate<C> best = last.best.get(p, 0);
-         const bool lowest = best.index == 0, highest = best.index == C.disparities - 1;
-         below[p] = select<Value>(lowest, best.above, best.below);
-         above[p] = select<Value>(highest, best.below, best.above);
+         const bool at_start = best.index == 0, at_end = best.index == C.disparities - 1;
+         below[p] = select<Value>(at_start, best.above, best.below);
+         above[p] = select<Value>(at_end, best.below, best.above);
          cost[p] = best.cost;
       }
    }
