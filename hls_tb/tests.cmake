@@ -41,6 +41,7 @@ stereo_add_unit_tests(
   blocks/winner/left_right_check_test.cpp
   blocks/winner/median_test.cpp
   blocks/winner/refinement_test.cpp
+  blocks/winner/sort_three_test.cpp
   blocks/winner/winner_tree_exhaustive_test.cpp
   blocks/winner/winner_tree_test.cpp
   blocks/block_matching/config_test.cpp

@@ -52,7 +52,7 @@ STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, dispar
            subpixel = true, median = true, aggregation = Aggregation::recursive, slice_disparities = 16);
 
 // study: what one option costs; each beside `study`, which has none (docs/features.md).
-STEREO_ROW(study, study, Config(), width_px = 96, height_px = 64, disparities = 16, window_px = 5,
+STEREO_ROW(study, study, Config(), width_px = 320, height_px = 64, disparities = 16, window_px = 5,
            slice_disparities = 8);
 STEREO_ROW(study_p2, study, study, pixels_per_clock = 2);
 STEREO_ROW(study_p4, study, study, pixels_per_clock = 4);

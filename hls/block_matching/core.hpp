@@ -39,16 +39,16 @@ struct Core {
 
    //            P pixel pairs
    //                 |
-   //   clocks   transform                 6 or none   x-Sobel or census
+   //   clocks   transform                 7, 6, none  x-Sobel, census
    //            raster                    1           place in the frame
    //            delay                     1           the reference meets what it is compared with
    //            rows                      3           columns of all rows of the windows
    //              |        \                          .
    //            slices      texture       Slices::kClocks, side by side
    //              |        /                          .
-   //            refinement                0 ... 10    uniqueness, subpixel
+   //            refinement                0, 4, 12    uniqueness, subpixel
    //            left_right                4 or none   also from the slices, ahead of the refinement
-   //            map_block                 7, 1, none  median or register
+   //            map_block                 11, 1, none median or register
    //                 |
    //            P disparities
    static constexpr int kLatency = TransformBlock::kClocks + Raster<C>::kClocks + PairDelay<C>::kClocks +

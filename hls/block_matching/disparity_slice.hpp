@@ -24,6 +24,7 @@ struct DisparitySlice {
    static constexpr int kFirst = kFalls ? kRest : C.disparities - Disparities;  ///< lowest disparity here
    static constexpr bool kIsLast = kRest == 0;
    static constexpr bool kIsNone = false;
+   static constexpr bool kHasSecond = C.has_uniqueness_check();
    using Next = DisparitySlice<C, kRest, Number + 1>;
    using Shift = DisparityShift<C, kCount>;
    using Column = ColumnBlock<C, kCount>;
@@ -31,8 +32,8 @@ struct DisparitySlice {
    static constexpr int kLevels = winner_levels(C.largest_slice(), C.winner_group);
    using Winner = WinnerTree<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
-   /// From the rows' arrival at this slice to the best candidate of all slices: a clock for each slice behind this one,
-   /// the blocks of the last slice, and the comparison with the slice before it.
+   /// From the rows' arrival at this slice to the best candidate of all slices (its losers come a clock later): a clock
+   /// for each slice behind this one, the blocks of the last slice, and the comparison with the slice before it.
    static constexpr int kClocks = [] {
       if constexpr (kIsLast) return Shift::kClocks + Column::kClocks + Window::kClocks + Winner::kClocks + 1;
       else return 1 + Next::kClocks;
@@ -80,7 +81,16 @@ struct DisparitySlice {
       for (int p = 0; p < kPixels; ++p) {
          WindowCandidate<C> here = root.best.get(p, 0);
          here.index = uint8_t(kFirst + here.index);
-         best.set(p, 0, against(here, rival, p));
+         if constexpr (Rival::kIsNone) {
+            if constexpr (kHasSecond) best.set_losers(p, 0, root.best.losers(p, 0));
+            best.set(p, 0, here);
+         } else if constexpr (kFalls) {
+            if constexpr (kHasSecond) best.join_losers(p, 0, root.best.losers(p, 0), rival.best.losers(p, 0));
+            best.join(p, 0, here, kFirst + kCount - 1, rival.best.get(p, 0), kFirst + kCount);
+         } else {
+            if constexpr (kHasSecond) best.join_losers(p, 0, rival.best.losers(p, 0), root.best.losers(p, 0));
+            best.join(p, 0, rival.best.get(p, 0), kFirst - 1, here, kFirst);
+         }
       }
       best_tag = root.tag;
       winner.clock(window.sum, window.tag);
@@ -93,15 +103,6 @@ struct DisparitySlice {
    HLS_INLINE const auto& last() const {
       if constexpr (kIsLast) return *this;
       else return next.last();
-   }
-
-  private:
-   template <class Rival>
-   static HLS_INLINE WindowCandidate<C> against(const WindowCandidate<C>& here, const Rival& rival, int p) {
-      if constexpr (Rival::kIsNone) return here;
-      else if constexpr (kFalls)
-         return WindowCandidate<C>::joined(here, kFirst + kCount - 1, rival.best.get(p, 0), kFirst + kCount);
-      else return WindowCandidate<C>::joined(rival.best.get(p, 0), kFirst - 1, here, kFirst);
    }
 };
 

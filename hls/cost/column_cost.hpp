@@ -12,14 +12,20 @@
 
 namespace stereo {
 
-/// Sums the costs of a column of B pixels, for P windows one below the other and `Count` disparities. 3 clocks.
+/// Sums the costs of a column of B pixels, for P windows one below the other and `Count` disparities. 2 clocks behind
+/// the pixels: sums of neighbouring taps (1,2), (3,4), ..., which the windows share; column sums.
 template <const auto& C, int Count>
 struct DirectColumn {
-   static constexpr int kClocks = PixelCost<C, Count>::kClocks + 1;
+   static constexpr int kClocks = PixelCost<C, Count>::kClocks + 2;
    static constexpr int kMemories = 0;
    static constexpr int kPixels = C.pixels_per_clock;
+   static constexpr int kTaps = C.tap_rows();
+   static constexpr int kPairs = (kTaps - 1) / 2;
 
    PixelCost<C, Count> pixels;
+   ColumnCost<C> pair[kPairs + 1][Count];  ///< of taps 2j+1 and 2j+2
+   ColumnCost<C> single[kTaps][Count];     ///< only of the taps that stand alone
+   PixelTag pair_tag;
    ColumnCost<C> column[kPixels][Count];  ///< 0 in the border columns
    PixelTag tag;
 
@@ -31,24 +37,45 @@ struct DirectColumn {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("pixels", pixels);
+      visit("pair", pair);
+      visit("single", single);
+      visit("pair_tag", pair_tag);
       visit("column", column);
       visit("tag", tag);
    }
 
    template <class Shift>
    HLS_INLINE void clock(const Shift& shift) {
+      add_columns();
+      HLS_UNROLL
+      for (int i = 0; i < Count; ++i) {
+         HLS_UNROLL
+         for (int j = 0; j < kPairs; ++j)
+            pair[j][i] = ColumnCost<C>(pixels.cost[2 * j + 1][i] + pixels.cost[2 * j + 2][i]);
+         HLS_UNROLL
+         for (int t = 0; t < kTaps; ++t) single[t][i] = pixels.cost[t][i];
+      }
+      pair_tag = pixels.tag;
+      pixels.clock(shift);
+   }
+
+  private:
+   /// Window p covers the taps p ... p+B-1: whole pairs, and a single tap at each end where no pair begins or ends.
+   HLS_INLINE void add_columns() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
+         const int pairs = p % 2 == 0 ? (C.window_px - 1) / 2 : C.window_px / 2, last = p + C.window_px - 1;
          HLS_UNROLL
          for (int i = 0; i < Count; ++i) {
             ColumnCost<C> sum = 0;
             HLS_UNROLL
-            for (int t = p; t < p + C.window_px; ++t) sum = ColumnCost<C>(sum + pixels.cost[t][i]);
-            column[p][i] = select<ColumnCost<C>>(pixels.tag.border_column, 0, sum);
+            for (int j = 0; j < pairs; ++j) sum = ColumnCost<C>(sum + pair[p / 2 + j][i]);
+            if (p % 2 == 0) sum = ColumnCost<C>(sum + single[p][i]);
+            if (last % 2 == 1) sum = ColumnCost<C>(sum + single[last][i]);
+            column[p][i] = select<ColumnCost<C>>(pair_tag.border_column, 0, sum);
          }
       }
-      tag = pixels.tag;
-      pixels.clock(shift);
+      tag = pair_tag;
    }
 };
 

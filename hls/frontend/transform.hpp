@@ -9,8 +9,9 @@
 
 namespace stereo {
 
-/// Replaces the pixels of both images by what is compared: filtered pixels or census transforms. 6 clocks; the groups
-/// come out transform_groups() rows and transform_columns() columns later. Memory: two times W x 8 x kStored bits.
+/// Replaces the pixels of both images by what is compared: filtered pixels (7 clocks) or census transforms (6 clocks).
+/// The groups come out transform_groups() rows and transform_columns() columns later. Memory: two times W x 8 x kStored
+/// bits.
 template <const auto& C>
 struct Transform {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -35,8 +36,6 @@ struct Transform {
       bool start_of_frame;                   ///< the centre is the first of a frame
       bool valid;
 
-      HLS_INLINE Place() { start(*this); }
-
       template <class Visitor>
       HLS_INLINE void registers(Visitor& visit) {
          visit("column", column);
@@ -55,8 +54,8 @@ struct Transform {
    uint16_t write_column;
    uint8_t left_column[kRows], right_column[kRows];  // clock 4
    Place columns;
-   Filter left_filter, right_filter;  // clocks 5 and 6
-   Place filtering, filtered;
+   Filter left_filter, right_filter;  // from clock 5 on
+   Place filtering[Filter::kClocks];  ///< [j]: beside what the filters make in their clock j
 
    template <class Source, int First>
    HLS_INLINE Transform(Source& memories, MemoryId<First> first)
@@ -81,7 +80,6 @@ struct Transform {
       visit("left_filter", left_filter);
       visit("right_filter", right_filter);
       visit("filtering", filtering);
-      visit("filtered", filtered);
    }
 
    HLS_INLINE FeatureGroup<C> output() const {
@@ -93,16 +91,17 @@ struct Transform {
          out.search[p] = search.feature[p];
          out.reference[p] = reference.feature[p];
       }
-      out.start_of_frame = filtered.start_of_frame;
-      out.valid = filtered.valid;
+      out.start_of_frame = filtering[Filter::kClocks - 1].start_of_frame;
+      out.valid = filtering[Filter::kClocks - 1].valid;
       return out;
    }
 
    HLS_INLINE void clock(const StereoInput& in) {
-      copy(filtered, filtering);
-      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering.column_inside);
-      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering.column_inside);
-      copy(filtering, columns);
+      HLS_UNROLL
+      for (int j = Filter::kClocks - 1; j > 0; --j) copy(filtering[j], filtering[j - 1]);
+      left_filter.clock(columns.valid, left_column, columns.row_inside, filtering[0].column_inside);
+      right_filter.clock(columns.valid, right_column, columns.row_inside, filtering[0].column_inside);
+      copy(filtering[0], columns);
       HLS_UNROLL
       for (int row = 0; row < kRows; ++row) {
          left_column[row] = left_rows.row(row);

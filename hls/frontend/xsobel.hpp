@@ -5,14 +5,16 @@
 
 namespace stereo {
 
-/// The x-Sobel prefilter of P rows of one image. 2 clocks behind the columns.
+/// The x-Sobel prefilter of P rows of one image. 3 clocks behind the columns: sum of a column, slope, clamp.
 template <const auto& C>
 struct XSobel {
-   static constexpr int kClocks = 2;
+   static constexpr int kClocks = 3;
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kRows = kPixels + 2;
 
    uint16_t column[3][kPixels];  ///< [age][p]: weighted sum of three rows, 0 ... 1020
+   int16_t slope[kPixels];       ///< -1020 ... 1020
+   bool whole;                   ///< both columns of the slope lie in the image
    Feature<C> feature[kPixels];
 
    HLS_INLINE XSobel() { start(*this); }
@@ -20,6 +22,8 @@ struct XSobel {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("column", column);
+      visit("slope", slope);
+      visit("whole", whole);
       visit("feature", feature);
    }
 
@@ -30,11 +34,8 @@ struct XSobel {
                          const Inside& column_inside) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const int16_t slope = int16_t(column[0][p] - column[2][p]);
-         const int16_t low = select<int16_t>(slope < -C.prefilter_cap, -C.prefilter_cap, slope);
-         const int16_t clamped = select<int16_t>(low > C.prefilter_cap, C.prefilter_cap, low);
-         const bool whole = column_inside[0] && column_inside[2];
-         feature[p] = Feature<C>(select<int16_t>(whole, clamped, 0) + C.prefilter_cap);
+         feature[p] = clamped(slope[p]);
+         slope[p] = int16_t(column[0][p] - column[2][p]);
          // Outside the image stands the row on the other side.
          const uint8_t above = select<uint8_t>(row_inside[p], pixel[p], pixel[p + 2]);
          const uint8_t below = select<uint8_t>(row_inside[p + 2], pixel[p + 2], pixel[p]);
@@ -42,6 +43,16 @@ struct XSobel {
          column[1][p] = select<uint16_t>(move, column[0][p], column[1][p]);
          column[0][p] = select<uint16_t>(move, uint16_t(above + 2 * pixel[p + 1] + below), column[0][p]);
       }
+      whole = column_inside[0] && column_inside[2];
+   }
+
+  private:
+   /// Comparisons and the addition stand side by side: one carry chain, then a choice.
+   HLS_INLINE Feature<C> clamped(int16_t value) const {
+      const bool low = value<-C.prefilter_cap, high = value> C.prefilter_cap;
+      const Feature<C> moved = Feature<C>(value + C.prefilter_cap) & 127;
+      const Feature<C> cut = select<Feature<C>>(low, 0, select<Feature<C>>(high, 2 * C.prefilter_cap, moved));
+      return select<Feature<C>>(whole, cut, C.prefilter_cap);
    }
 };
 

@@ -51,7 +51,7 @@ struct Core {
 
    //            a pixel pair
    //                 |
-   //   clocks   transform                 6 or none   x-Sobel or census
+   //   clocks   transform                 7, 6, none  x-Sobel, census
    //            raster                    1           place in the frame
    //            delay                     1           the reference meets what it is compared with
    //            rows                      3 or 1      columns of all rows of the windows, if these have more than one
@@ -62,10 +62,10 @@ struct Core {
    //            sums                      rows turned round, path from the right
    //                 |                    from here on, clocks again
    //            winners                   PathWinners::kClocks
-   //            refinement                0 ... 10    uniqueness, subpixel
+   //            refinement                0, 4, 12    uniqueness, subpixel
    //            left_right                4 or none   also from the winners, ahead of the refinement
    //            turn                      3 or none   rows turned back
-   //            map_block                 7, 1, none  median or register
+   //            map_block                 11, 1, none median or register
    //                 |
    //            a disparity
    static constexpr int kLatency = TransformBlock::kClocks + Raster<kWindowConfig<C>>::kClocks +

@@ -32,6 +32,7 @@ struct PathWinners {
 
    template <class Sums>
    HLS_INLINE void clock(const Sums& sums) {
+      if constexpr (C.uniqueness_distance > 0) best.set_losers(0, 0, winner.root().best.losers(0, 0));
       best.set(0, 0, winner.root().best.get(0, 0));
       best_tag = winner.root().tag;
       winner.clock(sums.sum, sums.tag);

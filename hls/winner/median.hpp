@@ -4,15 +4,17 @@
 #include "support/raster_counter.hpp"
 #include "support/row_buffer.hpp"
 #include "winner/map_group.hpp"
+#include "winner/sort_three.hpp"
 
 namespace stereo {
 
-/// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 7 clocks; pixels come
-/// out a row of groups and a column later. Memory: map width x (P+1) x (kValueBits + 1).
+/// Median of the 3x3 disparities around each pixel of the map, whose border repeats beyond it. 11 clocks, as three
+/// numbers take two to be sorted; pixels come out a row of groups and a column later. Memory: map width x (P+1) x
+/// (kValueBits + 1).
 template <const auto& C>
 struct Median {
    static constexpr int kPixels = C.pixels_per_clock;
-   static constexpr int kClocks = 7;
+   static constexpr int kClocks = 11;
    /// Groups by which the medians come out later.
    static constexpr int kLagGroups = C.width_px + 1;
    static constexpr int kWidth = C.output_width_px();
@@ -22,6 +24,7 @@ struct Median {
    using Counter = RasterCounter<kWidth, kRowGroups, 1, true>;
    using Rows = RowBuffer<kValueBits + 1, kPixels, kPixels + 1, kWidth>;
    using Lane = typename Rows::Lane;
+   using Value = uint_of_bits<kValueBits>;
    static constexpr int kMemories = Rows::kMemories;
 
    /// What travels beside a column. The column behind a line's last one only brings out the last median.
@@ -31,8 +34,6 @@ struct Median {
       bool behind;       ///< the column behind a line
       bool top, bottom;  ///< the row above, below the group is outside the map
       bool output;       ///< the group above this one is in the map
-
-      HLS_INLINE Place() { start(*this); }
 
       template <class Visitor>
       HLS_INLINE void registers(Visitor& visit) {
@@ -44,6 +45,17 @@ struct Median {
          visit("output", output);
       }
    };
+   /// What a window's medians are.
+   struct Moment {
+      bool complete, first, last;
+
+      template <class Visitor>
+      HLS_INLINE void registers(Visitor& visit) {
+         visit("complete", complete);
+         visit("first", first);
+         visit("last", last);
+      }
+   };
 
    // clock 1
    Counter counter;
@@ -53,17 +65,25 @@ struct Median {
    Rows rows;
    Place read, ready;
    uint16_t write_column;
-   // clock 4: the three values above each other, for each row of the group, sorted when they become `sorted`
+   // clock 4
    Lane column[kRows];
    Place at;
-   // clock 5
-   uint16_t low[3][kPixels], middle[3][kPixels], high[3][kPixels];  ///< [age][p]
-   bool passed[2][kPixels];
-   bool complete, first, last;
-   // clock 6
-   uint16_t largest_low[kPixels], median_middle[kPixels], smallest_high[kPixels];
-   MapGroup<C> waiting;
+   // clocks 5 and 6: the three values above each other, for each row of the group
+   SortThree<Value> of_column[kPixels];
+   bool column_passed[2][kPixels];
+   Place comparing, sorted;
+   Value sorted_low[kPixels], sorted_middle[kPixels], sorted_high[kPixels];
    // clock 7
+   Value low[3][kPixels], middle[3][kPixels], high[3][kPixels];  ///< [age][p]
+   bool passed[2][kPixels];
+   Moment window;
+   // clocks 8 and 9: the three columns
+   SortThree<Value> of_low[kPixels], of_middle[kPixels], of_high[kPixels];
+   Value largest_low[kPixels], median_middle[kPixels], smallest_high[kPixels];
+   // clocks 10 and 11: what they leave
+   SortThree<Value> of_all[kPixels];
+   Moment waiting[3];  ///< beside clocks 8 to 10
+   bool waiting_passed[3][kPixels];
    MapGroup<C> out;
 
    template <class Source, int First>
@@ -84,23 +104,34 @@ struct Median {
       visit("write_column", write_column);
       visit("column", column);
       visit("at", at);
+      visit("of_column", of_column);
+      visit("column_passed", column_passed);
+      visit("comparing", comparing);
+      visit("sorted", sorted);
+      visit("sorted_low", sorted_low);
+      visit("sorted_middle", sorted_middle);
+      visit("sorted_high", sorted_high);
       visit("low", low);
       visit("middle", middle);
       visit("high", high);
       visit("passed", passed);
-      visit("complete", complete);
-      visit("first", first);
-      visit("last", last);
+      visit("window", window);
+      visit("of_low", of_low);
+      visit("of_middle", of_middle);
+      visit("of_high", of_high);
       visit("largest_low", largest_low);
       visit("median_middle", median_middle);
       visit("smallest_high", smallest_high);
+      visit("of_all", of_all);
       visit("waiting", waiting);
+      visit("waiting_passed", waiting_passed);
       visit("out", out);
    }
 
    HLS_INLINE void clock(const Winners<C>& in) {
       finish();
-      combine();
+      sort_window();
+      add_column();
       sort_column();
       HLS_UNROLL
       for (int row = 0; row < kRows; ++row) column[row] = rows.row(row);
@@ -129,65 +160,76 @@ struct Median {
       for (int p = 0; p < kPixels; ++p) newest[p] = Lane(Lane(group.disparity[p]) << 1 | Lane(group.passed[p]));
    }
 
+   HLS_INLINE void sort_column() {
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p) {
+         sorted_low[p] = of_column[p].smallest();
+         sorted_middle[p] = of_column[p].median();
+         sorted_high[p] = of_column[p].largest();
+         column_passed[1][p] = column_passed[0][p];
+         const Value centre = Value(column[p + 1] >> 1);
+         const Value above = Value(column[p] >> 1), below = Value(column[p + 2] >> 1);
+         of_column[p].compare(p == 0 ? select<Value>(at.top, centre, above) : above, centre,
+                              p == kPixels - 1 ? select<Value>(at.bottom, centre, below) : below);
+         column_passed[0][p] = (column[p + 1] & 1) != 0;
+      }
+      sorted = comparing;
+      comparing = at;
+   }
+
    /// A new column goes in, or the one behind the line, which repeats the last; column 0 also is its own left
    /// neighbour.
-   HLS_INLINE void sort_column() {
-      const bool move = at.arrives || at.behind;
-      const bool starts = at.column == 0;
+   HLS_INLINE void add_column() {
+      const bool move = sorted.arrives || sorted.behind;
+      const bool starts = sorted.column == 0;
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const uint16_t centre = uint16_t(column[p + 1] >> 1);
-         const uint16_t above =
-             p == 0 ? select<uint16_t>(at.top, centre, uint16_t(column[p] >> 1)) : uint16_t(column[p] >> 1);
-         const uint16_t below = p == kPixels - 1 ? select<uint16_t>(at.bottom, centre, uint16_t(column[p + 2] >> 1))
-                                                 : uint16_t(column[p + 2] >> 1);
-         const uint16_t a = smaller(above, centre), b = larger(above, centre);
-         push(low, p, smaller(a, below), move, starts);
-         push(middle, p, larger(a, smaller(b, below)), move, starts);
-         push(high, p, larger(b, below), move, starts);
+         push(low, p, sorted_low[p], move, starts);
+         push(middle, p, sorted_middle[p], move, starts);
+         push(high, p, sorted_high[p], move, starts);
          passed[1][p] = select<bool>(move, passed[0][p], passed[1][p]);
-         passed[0][p] = select<bool>(at.arrives, (column[p + 1] & 1) != 0, passed[0][p]);
+         passed[0][p] = select<bool>(sorted.arrives, column_passed[1][p], passed[0][p]);
       }
-      complete = at.output && ((at.arrives && !starts) || at.behind);
-      first = at.top && (kWidth > 1 ? at.arrives && at.column == 1 : at.behind);
-      last = at.behind;
+      window.complete = sorted.output && ((sorted.arrives && !starts) || sorted.behind);
+      window.first = sorted.top && (kWidth > 1 ? sorted.arrives && sorted.column == 1 : sorted.behind);
+      window.last = sorted.behind;
    }
 
-   HLS_INLINE void push(uint16_t (&values)[3][kPixels], int p, uint16_t value, bool move, bool starts) {
-      const uint16_t next = select<uint16_t>(at.behind, values[0][p], value);
-      values[2][p] = select<uint16_t>(move, values[1][p], values[2][p]);
-      values[1][p] = select<uint16_t>(move, select<uint16_t>(starts && at.arrives, next, values[0][p]), values[1][p]);
-      values[0][p] = select<uint16_t>(move, next, values[0][p]);
+   HLS_INLINE void push(Value (&values)[3][kPixels], int p, Value value, bool move, bool starts) {
+      const Value next = select<Value>(sorted.behind, values[0][p], value);
+      values[2][p] = select<Value>(move, values[1][p], values[2][p]);
+      values[1][p] = select<Value>(move, select<Value>(starts && sorted.arrives, next, values[0][p]), values[1][p]);
+      values[0][p] = select<Value>(move, next, values[0][p]);
    }
 
-   HLS_INLINE void combine() {
+   HLS_INLINE void sort_window() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         largest_low[p] = larger(larger(low[0][p], low[1][p]), low[2][p]);
-         median_middle[p] = median(middle[0][p], middle[1][p], middle[2][p]);
-         smallest_high[p] = smaller(smaller(high[0][p], high[1][p]), high[2][p]);
-         waiting.passed[p] = passed[1][p];
+         of_all[p].compare(largest_low[p], median_middle[p], smallest_high[p]);
+         largest_low[p] = of_low[p].largest();
+         median_middle[p] = of_middle[p].median();
+         smallest_high[p] = of_high[p].smallest();
+         of_low[p].compare(low[0][p], low[1][p], low[2][p]);
+         of_middle[p].compare(middle[0][p], middle[1][p], middle[2][p]);
+         of_high[p].compare(high[0][p], high[1][p], high[2][p]);
       }
-      waiting.valid = complete;
-      waiting.start_of_frame = complete && first;
-      waiting.end_of_line = complete && last;
    }
 
    HLS_INLINE void finish() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         out.disparity[p] = median(largest_low[p], median_middle[p], smallest_high[p]);
-         out.passed[p] = waiting.passed[p];
+         out.disparity[p] = of_all[p].median();
+         out.passed[p] = waiting_passed[2][p];
+         waiting_passed[2][p] = waiting_passed[1][p];
+         waiting_passed[1][p] = waiting_passed[0][p];
+         waiting_passed[0][p] = passed[1][p];
       }
-      out.valid = waiting.valid;
-      out.start_of_frame = waiting.start_of_frame;
-      out.end_of_line = waiting.end_of_line;
-   }
-
-   static HLS_INLINE uint16_t smaller(uint16_t a, uint16_t b) { return select<uint16_t>(b < a, b, a); }
-   static HLS_INLINE uint16_t larger(uint16_t a, uint16_t b) { return select<uint16_t>(b < a, a, b); }
-   static HLS_INLINE uint16_t median(uint16_t a, uint16_t b, uint16_t c) {
-      return larger(smaller(a, b), smaller(larger(a, b), c));
+      out.valid = waiting[2].complete;
+      out.start_of_frame = waiting[2].complete && waiting[2].first;
+      out.end_of_line = waiting[2].complete && waiting[2].last;
+      waiting[2] = waiting[1];
+      waiting[1] = waiting[0];
+      waiting[0] = window;
    }
 };
 

@@ -8,28 +8,36 @@
 namespace stereo {
 
 /// Uniqueness check and subpixel interpolation, both from the costs that came with the winner, and the result of the
-/// texture check. One bit of the quotient a clock.
+/// texture check. Subpixel: the distances to the costs beside the winner, kDistanceClocks; one bit of the quotient a
+/// clock; rounding. Uniqueness stands beside it.
 template <const auto& C>
 struct Refinement {
    static constexpr int kPixels = C.pixels_per_clock;
-   static constexpr int kClocks = C.subpixel ? 10 : C.has_uniqueness_check() ? 3 : 0;
-   static constexpr int kStages = kClocks > 0 ? kClocks : 1;
-   static constexpr int kUniquenessStage = 2;
+   static constexpr int kDistanceClocks = 3;
    static constexpr int kQuotientBits = 8;
+   static constexpr int kUniquenessClocks = 4;
+   static constexpr int kClocks = C.subpixel                 ? kDistanceClocks + kQuotientBits + 1
+                                  : C.has_uniqueness_check() ? kUniquenessClocks
+                                                             : 0;
+   static constexpr int kStages = kClocks > 0 ? kClocks : 1;
    using Value = WindowCost<C>;
 
    // [stage][p]
    uint8_t disparity[kStages][kPixels];
    bool passed[kStages][kPixels];
    PixelTag tag[kStages];
-   // Uniqueness: 100 * (second - cost) > percent * cost, or second - cost >= distance.
-   Value cost[kPixels], gap[kPixels];                   // stage 0
-   bool alone[kUniquenessStage][kPixels];               ///< there is no second
-   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 1
-   // Subpixel: |u - v| * 128 / max(u, v), highest bit first.
-   Value remainder[kStages][kPixels], divisor[kStages][kPixels];
-   uint8_t quotient[kStages][kPixels];
-   bool negative[kStages][kPixels];
+   // Uniqueness: 100 * gap > percent * cost, or gap > distance - 1. The losers come in stage 0.
+   bool alone[2][kPixels];                              ///< stages 1 and 2: there is no second
+   Value gap[kPixels], lowest[kPixels];                 // stage 1: second - cost; cost
+   uint32_t scaled_gap[kPixels], scaled_cost[kPixels];  // stage 2
+   // Subpixel: u and v are what the costs below and above have more than the winner's.
+   Value cost[kPixels], below[kPixels], above[kPixels];  // stage 0
+   Value u[kPixels], v[kPixels];                         // stage 1
+   int32_t difference[kPixels];                          ///< v - u
+   // |u - v| * 128 / max(u, v), highest bit first; [0] is stage 2
+   Value remainder[kQuotientBits + 1][kPixels], divisor[kQuotientBits + 1][kPixels];
+   uint8_t quotient[kQuotientBits + 1][kPixels];
+   bool negative[kQuotientBits + 1][kPixels];
    uint8_t fraction[kPixels];  // last stage
 
    HLS_INLINE Refinement() { start(*this); }
@@ -39,11 +47,17 @@ struct Refinement {
       visit("disparity", disparity);
       visit("passed", passed);
       visit("tag", tag);
-      visit("cost", cost);
-      visit("gap", gap);
       visit("alone", alone);
+      visit("gap", gap);
+      visit("lowest", lowest);
       visit("scaled_gap", scaled_gap);
       visit("scaled_cost", scaled_cost);
+      visit("cost", cost);
+      visit("below", below);
+      visit("above", above);
+      visit("u", u);
+      visit("v", v);
+      visit("difference", difference);
       visit("remainder", remainder);
       visit("divisor", divisor, 1);
       visit("quotient", quotient);
@@ -84,15 +98,12 @@ struct Refinement {
             HLS_UNROLL
             for (int p = 0; p < kPixels; ++p) {
                disparity[stage][p] = disparity[stage - 1][p];
-               const bool unique = stage != kUniquenessStage || is_unique(p);
+               const bool unique = stage != kUniquenessClocks - 1 || is_unique(p);
                passed[stage][p] = passed[stage - 1][p] && unique;
             }
          }
-         if constexpr (C.has_uniqueness_check()) {
-            scale();
-            take_second(last);
-         }
-         if constexpr (C.subpixel) take_neighbours(last);
+         if constexpr (C.has_uniqueness_check()) take_second(last);
+         if constexpr (C.subpixel) find_distances(last);
          HLS_UNROLL
          for (int p = 0; p < kPixels; ++p) {
             disparity[0][p] = last.best.index[p][0];
@@ -113,49 +124,59 @@ struct Refinement {
    HLS_INLINE void take_second(const Slice& last) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const WindowCandidate<C> best = last.best.get(p, 0);
-         cost[p] = best.cost;
-         gap[p] = Value(best.second - best.cost) & Value(kMask);
-         alone[0][p] = best.second == WindowCandidate<C>::kNone;
-      }
-   }
-
-   HLS_INLINE void scale() {
-      HLS_UNROLL
-      for (int p = 0; p < kPixels; ++p) {
          alone[1][p] = alone[0][p];
          if constexpr (requires { C.uniqueness_distance; }) {
             scaled_gap[p] = gap[p];
             scaled_cost[p] = uint32_t(C.uniqueness_distance - 1);
          } else {
-            scaled_gap[p] = uint32_t(gap[p]) * 100u;
-            scaled_cost[p] = uint32_t(cost[p]) * uint32_t(C.uniqueness_percent);
+            scaled_gap[p] = uint32_t(gap[p]) * (100u / kCommonFactor);
+            scaled_cost[p] = uint32_t(lowest[p]) * (uint32_t(C.uniqueness_percent) / kCommonFactor);
          }
+         const WindowLosers<C> losers = last.best.losers(p, 0);
+         alone[0][p] = losers.second == WindowLosers<C>::kNone;
+         gap[p] = Value(losers.second - losers.cost) & Value(kMask);
+         lowest[p] = losers.cost;
       }
    }
+
+   /// Smaller factors take fewer additions.
+   static constexpr uint32_t kCommonFactor = [] {
+      int factor = 1;
+      if constexpr (!requires { C.uniqueness_distance; })
+         for (int i = 2; i <= 100; ++i)
+            if (100 % i == 0 && C.uniqueness_percent % i == 0) factor = i;
+      return uint32_t(factor);
+   }();
 
    HLS_INLINE bool is_unique(int p) const {
       return !C.has_uniqueness_check() || alone[1][p] || scaled_gap[p] > scaled_cost[p];
    }
 
+   /// Beyond an end of the range stands the cost on the other side.
    template <class Slice>
-   HLS_INLINE void take_neighbours(const Slice& last) {
+   HLS_INLINE void find_distances(const Slice& last) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const WindowCandidate<C> best = last.best.get(p, 0);
-         const bool lowest = best.index == 0, highest = best.index == C.disparities - 1;
-         const Value below = select<Value>(lowest, best.above, best.below);
-         const Value above = select<Value>(highest, best.below, best.above);
-         const Value u = Value(below - best.cost) & Value(kMask), v = Value(above - best.cost) & Value(kMask);
-         const bool falls = u < v;
-         const Value larger = select<Value>(falls, v, u), smaller = select<Value>(falls, u, v);
-         remainder[0][p] = Value(larger - smaller) & Value(kMask);
-         divisor[0][p] = select<Value>(larger == 0, 1, larger);
+         const bool equal = u[p] == 0 && v[p] == 0;
+         const bool falls = difference[p] >= 0;
+         remainder[0][p] = Value(select<int32_t>(falls, difference[p], -difference[p])) & Value(kMask);
+         divisor[0][p] = Value(select<Value>(falls, v[p], u[p]) | Value(equal));
          negative[0][p] = falls;
+
+         u[p] = Value(below[p] - cost[p]) & Value(kMask);
+         v[p] = Value(above[p] - cost[p]) & Value(kMask);
+         difference[p] = int32_t(above[p]) - int32_t(below[p]);
+
+         const WindowCandidate<C> best = last.best.get(p, 0);
+         const bool at_start = best.index == 0, at_end = best.index == C.disparities - 1;
+         below[p] = select<Value>(at_start, best.above, best.below);
+         above[p] = select<Value>(at_end, best.below, best.above);
+         cost[p] = best.cost;
       }
    }
 
-   /// Stage s finds bit 8 - s of the quotient; the last stage rounds it.
+   /// Step s finds bit 8 - s of the quotient, by one subtraction whose highest bit says whether the divisor fits; then
+   /// the quotient is rounded.
    HLS_INLINE void divide() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
@@ -163,18 +184,21 @@ struct Refinement {
          const uint8_t rounded_up = uint8_t((quotient[kQuotientBits][p] + 15) >> 4);
          fraction[p] = select<uint8_t>(negative[kQuotientBits][p], uint8_t(8 - sixteenths), uint8_t(8 + rounded_up));
          HLS_UNROLL
-         for (int stage = kQuotientBits; stage > 0; --stage) {
-            const uint32_t left = stage == 1 ? remainder[0][p] : uint32_t(remainder[stage - 1][p]) << 1;
-            const bool fits = left >= divisor[stage - 1][p];
-            remainder[stage][p] = Value(select<uint32_t>(fits, left - divisor[stage - 1][p], left) & kMask);
-            quotient[stage][p] = stage == 1 ? uint8_t(fits) : uint8_t(quotient[stage - 1][p] << 1 | uint8_t(fits));
-            divisor[stage][p] = divisor[stage - 1][p];
-            negative[stage][p] = negative[stage - 1][p];
+         for (int step = kQuotientBits; step > 0; --step) {
+            const uint32_t left = step == 1 ? remainder[0][p] : uint32_t(remainder[step - 1][p]) << 1;
+            const uint32_t rest = left + kFits - divisor[step - 1][p];
+            const bool fits = (rest & kFits) != 0;
+            remainder[step][p] = Value(select<uint32_t>(fits, rest, left) & kMask);
+            quotient[step][p] = step == 1 ? uint8_t(fits) : uint8_t(quotient[step - 1][p] << 1 | uint8_t(fits));
+            divisor[step][p] = divisor[step - 1][p];
+            negative[step][p] = negative[step - 1][p];
          }
       }
    }
 
    static constexpr uint32_t kMask = (uint32_t(1) << bits_for(C.largest_window_cost() + 1)) - 1;
+   /// A bit above those of twice a remainder.
+   static constexpr uint32_t kFits = uint32_t(1) << bits_for(2 * int64_t(C.largest_window_cost()) + 1);
 };
 
 }  // namespace stereo

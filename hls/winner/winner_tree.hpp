@@ -18,13 +18,20 @@ struct WinnerTree {
    static constexpr int kClocks = Levels;
    static_assert(Levels >= winner_levels(N, kGroup), "the tree needs more levels");
    static constexpr int kWinners = (N + kGroup - 1) / kGroup;
+   static constexpr bool kHasSecond = Candidate::kHasSecond;
+   using Value = typename Candidate::Value;
+   using Others = typename Candidate::Others;
 
+   Value held[kPixels][kHasSecond && Span == 1 ? N : 1];  ///< first level: the costs of the clock before
    Candidates<Candidate, kPixels, kWinners> best;
    Tag tag;
    WinnerTree<Candidate, Tag, kPixels, kGroup, kWinners, Levels - 1, Span * kGroup> next;
 
+   HLS_INLINE WinnerTree() { start(*this); }
+
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (kHasSecond && Span == 1) visit("held", held);
       visit("best", best);
       visit("tag", tag);
    }
@@ -36,18 +43,35 @@ struct WinnerTree {
    }
 
    /// First level: the candidates are single costs, their indices are their places.
-   HLS_INLINE void clock(const typename Candidate::Value (&cost)[kPixels][N], const Tag& in) {
+   HLS_INLINE void clock(const Value (&cost)[kPixels][N], const Tag& in) {
       next.clock(best, tag);
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          HLS_UNROLL
          for (int group = 0; group < kWinners; ++group) {
             const int start = group * kGroup;
+            if constexpr (kHasSecond) {
+               const int end = start + kGroup < N ? start + kGroup : N;
+               Others losers;
+               HLS_UNROLL
+               for (int i = start; i < end; ++i)
+                  losers.add_single(held[p][i], i - start, end - start, best.place[p][group]);
+               best.set_losers(p, group, losers);
+            }
             Candidate winner = Candidate::single(cost[p][start], uint8_t(start));
+            Choice choice;
             HLS_UNROLL
-            for (int i = start + 1; i < start + kGroup && i < N; ++i)
-               winner = Candidate::joined(winner, i - 1, Candidate::single(cost[p][i], uint8_t(i)), i);
-            best.set(p, group, winner);
+            for (int i = start + 1; i < start + kGroup && i < N; ++i) {
+               const Candidate rival = Candidate::single(cost[p][i], uint8_t(i));
+               choice = Choice::chosen(Candidate::wins(rival.cost, winner.cost), choice,
+                                       Choice::of(uint8_t(i - start), false, false));
+               winner = Candidate::joined(winner, i - 1, rival, i);
+            }
+            best.set(p, group, winner, choice);
+         }
+         if constexpr (kHasSecond) {
+            HLS_UNROLL
+            for (int i = 0; i < N; ++i) held[p][i] = cost[p][i];
          }
       }
       tag = in;
@@ -60,11 +84,24 @@ struct WinnerTree {
          HLS_UNROLL
          for (int group = 0; group < kWinners; ++group) {
             const int start = group * kGroup;
+            if constexpr (kHasSecond) {
+               const Choice choice = best.choice(p, group);
+               const int count = start + kGroup < N ? kGroup : N - start;
+               Others losers = candidates.losers(p, start).left_by(choice, 0, count);
+               HLS_UNROLL
+               for (int i = start + 1; i < start + kGroup && i < N; ++i)
+                  losers = Others::joined(losers, candidates.losers(p, i).left_by(choice, i - start, count));
+               best.set_losers(p, group, losers);
+            }
             Candidate winner = candidates.get(p, start);
+            Choice choice = place_of(winner, start, start);
             HLS_UNROLL
-            for (int i = start + 1; i < start + kGroup && i < N; ++i)
-               winner = Candidate::joined(winner, i * Span - 1, candidates.get(p, i), i * Span);
-            best.set(p, group, winner);
+            for (int i = start + 1; i < start + kGroup && i < N; ++i) {
+               const Candidate rival = candidates.get(p, i);
+               choice = Choice::chosen(Candidate::wins(rival.cost, winner.cost), choice, place_of(rival, i, start));
+               winner = Candidate::joined(winner, i * Span - 1, rival, i * Span);
+            }
+            best.set(p, group, winner, choice);
          }
       }
       tag = in;
@@ -74,6 +111,13 @@ struct WinnerTree {
    HLS_INLINE const auto& root() const {
       if constexpr (Levels == 1) return *this;
       else return next.root();
+   }
+
+  private:
+   /// Candidate `i` as the winner of its group.
+   static HLS_INLINE Choice place_of(const Candidate& candidate, int i, int start) {
+      return Choice::of(uint8_t(i - start), i > start && candidate.index == i * Span,
+                        i + 1 < start + kGroup && i + 1 < N && candidate.index == (i + 1) * Span - 1);
    }
 };
 

@@ -17,8 +17,8 @@ def test_a_frame_takes_a_clock_for_each_group():
 
 def test_recursive_sums_need_a_gap_between_frames():
     table = configurations()
-    assert figures.clocks_per_frame(table["study_w7"]) == 96 * 64
-    assert figures.clocks_per_frame(table["study_w7_recursive"]) == 96 * (64 + 3)
+    assert figures.clocks_per_frame(table["study_w7"]) == 320 * 64
+    assert figures.clocks_per_frame(table["study_w7_recursive"]) == 320 * (64 + 3)
 
 
 def test_speed_follows_from_the_clock():

@@ -88,6 +88,7 @@ TYPED_TEST(DisparitySliceTest, FindTheWinnerOfAllDisparities) {
    Slices slices(memories, MemoryId<0>());
    Matched<C> matched;
    std::deque<Winner<C>> pipeline(Slices::kClocks - 1);
+   Winner<C> before;  // whose losers are shown
    for (int clock = 0; clock < 1000; ++clock) {
       Column<C> in;
       in.tag = random_tag(random);
@@ -102,6 +103,10 @@ TYPED_TEST(DisparitySliceTest, FindTheWinnerOfAllDisparities) {
       pipeline.pop_front();
       const auto& last = slices.last();
       ASSERT_EQ(last.best_tag.valid, expected.tag.valid) << "clock " << clock;
+      for (std::size_t p = 0; p < C.pixels_per_clock && before.tag.valid; ++p)
+         ASSERT_NO_FATAL_FAILURE(expect_losers<C>(before.lanes[p], last.best.losers(int(p), 0)))
+             << "clock " << clock << " lane " << p;
+      before = expected;
       if (!expected.tag.valid) continue;
       ASSERT_PRED2(same_centre, expected.tag, last.best_tag) << "clock " << clock;
       for (std::size_t p = 0; p < C.pixels_per_clock; ++p)

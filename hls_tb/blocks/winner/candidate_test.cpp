@@ -25,13 +25,27 @@ using Configs = ::testing::Types<CandidateConfig<Ties::smallest, 0, false>, Cand
                                  CandidateConfig<Ties::smallest, 15, true>, CandidateConfig<Ties::largest, 15, true>>;
 TYPED_TEST_SUITE(CandidateTest, Configs, ConfigNames);
 
+template <const block_matching::Config& C>
+struct Range {
+   WindowCandidate<C> best;
+   WindowLosers<C> losers;
+};
+
 /// The best of the disparities first ... end-1, joined in a random order.
 template <const block_matching::Config& C>
-WindowCandidate<C> joined_at_random(const std::vector<int>& costs, int first, int end, Random& random) {
-   if (end - first == 1) return WindowCandidate<C>::single(WindowCost<C>(costs[std::size_t(first)]), uint8_t(first));
+Range<C> joined_at_random(const std::vector<int>& costs, int first, int end, Random& random) {
+   if (end - first == 1) {
+      const auto cost = WindowCost<C>(costs[std::size_t(first)]);
+      return {WindowCandidate<C>::single(cost, uint8_t(first)), WindowLosers<C>::single(cost)};
+   }
    const int split = first + 1 + random.below(end - first - 1);
-   return WindowCandidate<C>::joined(joined_at_random<C>(costs, first, split, random), split - 1,
-                                     joined_at_random<C>(costs, split, end, random), split);
+   const Range<C> a = joined_at_random<C>(costs, first, split, random);
+   const Range<C> b = joined_at_random<C>(costs, split, end, random);
+   const bool upper = WindowCandidate<C>::wins(b.best.cost, a.best.cost);
+   const Choice choice = Choice::chosen(upper, Choice::of(0, false, a.best.index == split - 1),
+                                        Choice::of(1, b.best.index == split, false));
+   return {WindowCandidate<C>::joined(a.best, split - 1, b.best, split),
+           WindowLosers<C>::joined(a.losers.left_by(choice, 0, 2), b.losers.left_by(choice, 1, 2))};
 }
 
 TYPED_TEST(CandidateTest, JoinedRangesKnowWhatTheWholeRangeShows) {
@@ -40,7 +54,9 @@ TYPED_TEST(CandidateTest, JoinedRangesKnowWhatTheWholeRangeShows) {
    const auto check = [&random](const std::vector<int>& costs) {
       if (::testing::Test::HasFatalFailure()) return;
       SCOPED_TRACE(::testing::PrintToString(costs));
-      expect_candidate<C>(NaiveWinner(costs, C.ties), joined_at_random<C>(costs, 0, int(costs.size()), random));
+      const Range<C> range = joined_at_random<C>(costs, 0, int(costs.size()), random);
+      expect_candidate<C>(NaiveWinner(costs, C.ties), range.best);
+      expect_losers<C>(NaiveWinner(costs, C.ties), range.losers);
    };
    for (int order = 0; order < 5; ++order)
       for (const int count : {1, 2, 3, 4, 5}) for_all_costs(count, 4, check);

@@ -60,6 +60,7 @@ struct TreeBench {
    Random random{test_seed()};
    typename Type::Tree tree;
    std::deque<Step> pipeline = std::deque<Step>(Type::kLevels - 1);  // the winners on their way
+   Step before{};                                                    // whose losers are shown
    int compared = 0;
 
    /// costs: of lane 0; each further lane has them turned by one disparity.
@@ -76,6 +77,10 @@ struct TreeBench {
       const Step expected = pipeline.front();
       pipeline.pop_front();
       ASSERT_EQ(tree.root().tag, expected.tag);
+      for (int p = 0; p < P && before.tag.valid; ++p)
+         ASSERT_NO_FATAL_FAILURE(expect_losers<C>(before.winners[std::size_t(p)], tree.root().best.losers(p, 0)))
+             << "lane " << p;
+      before = expected;
       if (!expected.tag.valid) return;
       ++compared;
       for (int p = 0; p < P; ++p)

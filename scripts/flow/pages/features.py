@@ -64,6 +64,13 @@ def _routed(name: str) -> Result | None:
     return Configuration(name).targets.get("ecp5")
 
 
+def _slowest_path(result: Result | None) -> str:
+    if result is None:
+        return UNKNOWN
+    path = result["critical_path"]
+    return f"{code(path['from'])} to {code(path['to'])}"
+
+
 def options_table() -> str:
     head = ["", "option", "clocks a frame", "latency", "LUT4", "more LUT4", "flip-flops", "memory bits", "block RAMs"]
     base = _routed(BASE) if _known(BASE) else None
@@ -71,7 +78,7 @@ def options_table() -> str:
     for heading, members in OPTIONS:
         for name, what in members:
             if not _known(name):
-                rows.append([heading, what, *[UNKNOWN] * 9])
+                rows.append([heading, what, *[UNKNOWN] * 10])
                 continue
             configuration, result = Configuration(name), _routed(name)
             p, tool = configuration.parameters, configuration.manifest["tool_report"]
@@ -90,9 +97,10 @@ def options_table() -> str:
                     number(result["block_rams"] if result else None),
                     number(result["fmax_mhz"]["median"] if result else None, 1),
                     code(name),
+                    _slowest_path(result),
                 ]
             )
-    return table([*head, "MHz", "configuration"], rows)
+    return table([*head, "MHz", "configuration", "slowest path"], rows)
 
 
 def depths_table() -> str:
