@@ -12,7 +12,7 @@ from ..cosim import mismatch
 from ..implementation import figures
 from ..implementation.record import Result
 from ..implementation.results import Configuration
-from ..implementation.yosys import TARGETS
+from ..implementation.targets import TARGETS
 from ..rendering import page, pictures
 from ..rendering.page import number
 from ..rendering.pictures import Array, Picture
