@@ -46,9 +46,14 @@ struct Candidate {
       return candidate;
    }
 
+   /// Whether the cost of a higher range wins against that of a lower one.
+   static HLS_INLINE bool wins(Value higher, Value lower) {
+      return Kind.ties == Ties::smallest ? higher < lower : higher <= lower;
+   }
+
    /// Joins two neighbouring ranges: a.index <= a_last < b_first <= b.index.
    static HLS_INLINE Candidate joined(const Candidate& a, int a_last, const Candidate& b, int b_first) {
-      const bool b_wins = Kind.ties == Ties::smallest ? b.cost < a.cost : b.cost <= a.cost;
+      const bool b_wins = wins(b.cost, a.cost);
       Candidate best;
       best.cost = select<Value>(b_wins, b.cost, a.cost);
       best.index = select<uint8_t>(b_wins, b.index, a.index);
