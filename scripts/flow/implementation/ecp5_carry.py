@@ -325,17 +325,17 @@ class CarryPacker:
             name = chain.cells[number] if number < len(chain.cells) else f"{chain.cells[0]}_more_{number}"
             model = old[min(number, len(old) - 1)]
             last = number == len(halves) // 2 - 1
-            connections: dict[str, list[Bit]] = {"CIN": [] if carry == "x" else [carry]}
+            connections: dict[str, list[Bit]] = {"CIN": [carry]}
             parameters = {"INJECT1_0": "NO", "INJECT1_1": "NO"}
             for side, half in zip("01", pair):
                 fitted = half.fit()
                 assert fitted is not None
                 pins, init = fitted
                 connections |= {pin + side: [net] for pin, net in zip(PINS, pins)}
-                connections[f"S{side}"] = [] if half.out is None else [half.out]
+                connections[f"S{side}"] = ["x" if half.out is None else half.out]
                 parameters[f"INIT{side}"] = f"{init:016b}"
             carry = self._new_net() if not last else chain.end if chain.end is not None else "x"
-            connections["COUT"] = [] if carry == "x" else [carry]
+            connections["COUT"] = [carry]  # nextpnr takes x for no net
             directions = {port: "output" if port[0] == "S" or port == "COUT" else "input" for port in connections}
             self.cells[name] = dict(model, parameters=parameters, port_directions=directions, connections=connections)
 
