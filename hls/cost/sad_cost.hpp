@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cost/costs.hpp"
+#include "frontend/features.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "support/registers.hpp"
 

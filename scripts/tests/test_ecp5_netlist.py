@@ -84,7 +84,11 @@ def look_up_tables(netlist: dict[str, Any]) -> int:
 def prove_equal(before: dict[str, Any], after: dict[str, Any], work: Path) -> None:
     """Raises where the two differ for any input."""
     (work / "cells.v").write_text(CELLS)
-    for name, content in (("before", before), ("after", after)):
+    for name, content in (("before", before), ("after", copy.deepcopy(after))):
+        for cell in content["modules"]["top"]["cells"].values():  # nextpnr's way to say that an output goes nowhere
+            for port, bits in cell["connections"].items():
+                if cell["port_directions"][port] == "output" and bits == ["x"]:
+                    cell["connections"][port] = []
         renamed = {"modules": {name: content["modules"]["top"] | {"attributes": {}}}}  # none of them the top
         (work / f"{name}.json").write_text(json.dumps(renamed))
     commands = [

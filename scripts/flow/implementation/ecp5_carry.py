@@ -68,15 +68,16 @@ def look_up(cell: Cell, init: str, pins: tuple[str, ...]) -> Table:
 
 @dataclass(frozen=True)
 class Half:
-    """`carry` counts only where `through` is 0; `out` is None where nobody reads the sum."""
+    """`carry` counts only where `through` is 0, and is None where no carry is needed; `out` is None where nobody reads
+    the sum."""
 
     through: Table
-    carry: Table
+    carry: Table | None
     out: Bit | None
 
     @property
     def nets(self) -> tuple[Bit, ...]:
-        return tuple(dict.fromkeys(self.through.nets + self.carry.nets))
+        return tuple(dict.fromkeys(self.through.nets + (self.carry.nets if self.carry else ())))
 
     def fit(self) -> tuple[list[Bit], int] | None:
         """(nets of A, B, C, D; INIT) of a half that does this, or None. INIT's lowest four bits are the table of the
@@ -97,7 +98,8 @@ class Half:
         for values in assignments(self.nets):
             row = sum((1 if pin == "1" else values[pin]) << place for place, pin in enumerate(pins))
             through = self.through.at(values)
-            for place, wanted in [(row, through)] + ([] if through else [(row & 3, self.carry.at(values))]):
+            carry = [] if through or self.carry is None else [(row & 3, self.carry.at(values))]
+            for place, wanted in [(row, through), *carry]:
                 if table[place] not in (None, wanted):
                     return None
                 table[place] = wanted
@@ -204,27 +206,30 @@ class CarryPacker:
             for place, half in enumerate(chain.halves):
                 for net in half.nets:
                     users[net].append((chain, place))
-        waiting = [net for net in users if net in self.luts]
-        while waiting:
-            net = waiting.pop()
-            places = users[net]
-            if self._pins_that_read(net) != self.readers[net] or not places:
-                continue
-            inner = look_up(self.cells[self.luts[net]], "INIT", tuple(PINS))
-            changed = []
-            for chain, place in places:
-                half = chain.halves[place]
-                new = Half(with_input(half.through, net, inner), with_input(half.carry, net, inner), half.out)
-                if new.fit() is None:
-                    break
-                changed.append((chain, place, new))
-            else:
-                for chain, place, new in changed:
-                    chain.halves[place] = new
-                    for source in inner.nets:
-                        if (chain, place) not in users[source]:
-                            users[source].append((chain, place))
-                users[net] = []
+        changed = True
+        while changed:  # what does not fit may do so when its neighbour has moved
+            changed = False
+            for net in [net for net in users if net in self.luts]:
+                if users[net] and self._pins_that_read(net) == self.readers[net]:
+                    changed |= self._moved(net, users)
+
+    def _moved(self, net: Bit, users: dict[Bit, list[tuple[Chain, int]]]) -> bool:
+        """Moves the look-up table of a net into all halves that read it, if it fits into each."""
+        inner = look_up(self.cells[self.luts[net]], "INIT", tuple(PINS))
+        halves = []
+        for chain, place in users[net]:
+            half = chain.halves[place]
+            carry = None if half.carry is None else with_input(half.carry, net, inner)
+            halves.append(Half(with_input(half.through, net, inner), carry, half.out))
+            if halves[-1].fit() is None:
+                return False
+        for (chain, place), half in zip(users[net], halves):
+            chain.halves[place] = half
+            for source in inner.nets:
+                if (chain, place) not in users[source]:
+                    users[source].append((chain, place))
+        users[net] = []
+        return True
 
     def _pins_that_read(self, net: Bit) -> int:
         """Pins of chain halves, but for carries, that a net goes to."""
@@ -254,7 +259,7 @@ class CarryPacker:
             while halves and halves[-1].out is None:
                 halves.pop()
             if halves:
-                halves[-1] = Half(halves[-1].through, constant(0), halves[-1].out)
+                halves[-1] = Half(halves[-1].through, None, halves[-1].out)
         while len(halves) > 1 and halves[0].out is None and isinstance(chain.start, str):
             carry = _first_carry(halves[0], chain.start)
             if len(carry.nets) == 0:
@@ -297,6 +302,7 @@ class CarryPacker:
             if start == 1 or len(nets) > 4:
                 continue
             first = _first_carry(low, str(start))
+            assert high.carry is not None  # only the last half has none
             carry = tabulate(nets, lambda v, h=high, f=first: f.at(v) if h.through.at(v) else h.carry.at(v))
             joined = Half(_opposite(carry), constant(1), None)
             if all(half.fit() is not None for half in [joined, *halves[2:]]):
@@ -308,13 +314,13 @@ class CarryPacker:
         """nextpnr leads each carry in and out by a CCU2C of its own; a half that would be empty does it for nothing."""
         halves = chain.halves
         if chain.end is not None:
-            halves.append(Half(constant(0), constant(0), chain.end))
+            halves.append(Half(constant(0), None, chain.end))
             chain.end = None
         if len(halves) % 2 and chain.start != "x":
             halves.insert(0, Half(constant(0), identity(chain.start), None))
             chain.start = "x"
         if len(halves) % 2:
-            halves.append(Half(constant(0), constant(0), None))
+            halves.append(Half(constant(0), None, None))
 
     # --- writing ------------------------------------------------------------------------------------------------------
 
@@ -376,7 +382,7 @@ def _first_carry(half: Half, start: Bit) -> Table:
     def value(values: dict[Bit, int]) -> int:
         if half.through.at(values):
             return known[start] if isinstance(start, str) else values[start]
-        return half.carry.at(values)
+        return half.carry.at(values) if half.carry else 0
 
     return tabulate(nets, value)
 
@@ -388,7 +394,7 @@ def _opposite(table: Table) -> Table:
 def _with_opposite_carry(half: Half) -> Half:
     """The half in a chain where each carry is the opposite. What it gives out stays."""
     through = half.through if half.out is None else _opposite(half.through)
-    return Half(through, _opposite(half.carry), half.out)
+    return Half(through, _opposite(half.carry) if half.carry else None, half.out)
 
 
 def _inputs(cell: Cell) -> Iterator[Bit]:
