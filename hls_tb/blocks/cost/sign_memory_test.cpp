@@ -40,7 +40,7 @@ TYPED_TEST(SignMemoryTest, SumsAreThoseOfTheAbsoluteDifferences) {
       bool valid;
       int group, column;
    };
-   std::vector<Place> places;
+   std::vector<Place> places(2);  // the first pixels come when their column has
    for (int group = 0; group < kGroups; ++group)
       for (int column = 0; column < W; ++column) {
          while (group > kGroups / 2 && random.percent(30)) places.push_back({false, 0, random.below(W)});
@@ -58,7 +58,8 @@ TYPED_TEST(SignMemoryTest, SumsAreThoseOfTheAbsoluteDifferences) {
    int compared = 0;
    for (std::size_t n = 0; n < places.size(); ++n) {
       const Place& place = places[n];
-      std::vector<int> sums(place.valid && place.group > 0 ? P * kCount : 0);  // the first group's signs are unknown
+      const bool known = place.group * P >= kTaps - P;  // all rows have come in as newest ones
+      std::vector<int> sums(place.valid && known ? P * kCount : 0);
       for (int t = 0; t < kTaps; ++t) {
          const std::size_t pixel = std::size_t((place.group * P + t) * W + place.column);
          shift.reference[t] = place.valid ? reference[pixel] : random.byte();
@@ -81,7 +82,7 @@ TYPED_TEST(SignMemoryTest, SumsAreThoseOfTheAbsoluteDifferences) {
             ASSERT_EQ(cost.column[p][i], expected[std::size_t(p * kCount + i)])
                 << "place " << n << " lane " << p << " i=" << i;
    }
-   EXPECT_GT(compared, (kGroups - 2) * W);
+   EXPECT_GT(compared, (kGroups - 6) * W);
 }
 
 }  // namespace
