@@ -3,12 +3,15 @@
 
 import copy
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from flow.base import rtl
 from flow.base.errors import FlowError
+from flow.base.ghdl import to_verilog
 from flow.base.tools import find_yosys, run
 from flow.implementation import ecp5_carry, ecp5_memory
 
@@ -104,6 +107,33 @@ def test_packed_chains_are_proven_equal_and_smaller(netlist: dict[str, Any], tmp
     after = packed(netlist)
     prove_equal(netlist, after, tmp_path)
     assert look_up_tables(after) < 0.75 * look_up_tables(netlist)
+
+
+def logic_only(netlist: dict[str, Any]) -> dict[str, Any]:
+    """The netlist without registers and memories: what they give becomes an input, what they take an output."""
+    module = netlist["modules"]["top"]
+    ports = dict(module["ports"])
+    for name in [n for n, c in module["cells"].items() if c["type"] not in ("LUT4", "CCU2C", "PFUMX", "L6MUX21")]:
+        cell = module["cells"].pop(name)
+        for port, bits in cell["connections"].items():
+            nets = [bit for bit in bits if isinstance(bit, int)]  # constants stay
+            direction = "input" if cell["port_directions"][port] == "output" else "output"
+            if nets:
+                ports[re.sub(r"\W", "_", name) + "_" + port] = {"direction": direction, "bits": nets}
+    return {"modules": {"top": {"ports": ports, "cells": module["cells"], "netnames": {}}}}
+
+
+def test_a_whole_core_is_proven_equal(ghdl: str, tmp_path: Path) -> None:
+    """The committed `tiny`. Registers and memories are the same before and after, so the logic between them decides."""
+    entity = rtl.core_entity("tiny")
+    verilog = to_verilog([rtl.MEMORY_CELL, rtl.folder("tiny") / f"{entity}.vhd"], tmp_path, entity)
+    (tmp_path / "top.v").write_text(re.sub(rf"\bmodule {entity}\b", "module top", verilog))
+    commands = "read_verilog top.v; hierarchy -top top; proc; flatten; opt -full; synth_ecp5 -abc9 -top top"
+    run([find_yosys(), "-p", f"{commands}; write_json top.json"], cwd=tmp_path, log=tmp_path / "synthesis.log")
+    before = {"modules": {"top": json.loads((tmp_path / "top.json").read_text())["modules"]["top"]}}
+    after = packed(before)
+    assert look_up_tables(after) < look_up_tables(before)
+    prove_equal(logic_only(before), logic_only(after), tmp_path)
 
 
 @pytest.mark.parametrize("which", range(4))
