@@ -35,6 +35,7 @@ stereo_add_unit_tests(
   blocks/cost/disparity_shift_test.cpp
   blocks/cost/pixel_cost_test.cpp
   blocks/cost/sad_cost_test.cpp
+  blocks/cost/sign_memory_test.cpp
   blocks/cost/window_sum_test.cpp
   blocks/winner/candidate_test.cpp
   blocks/winner/diagonal_minimum_test.cpp

@@ -10,14 +10,16 @@ namespace stereo::block_matching {
 struct Structure {
    Aggregation aggregation = Aggregation::direct;
    int slice_disparities = 25;  ///< disparities between two registers of the chain that carries the pixels, at least 2
-   int cost_clocks = 3;   ///< of direct SAD sums, 1: all in one clock; 2: differences apart; 3: each addition apart
-   int winner_group = 2;  ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
+   int cost_clocks = 3;       ///< of direct SAD sums, 1: all in one clock; 2: differences apart; 3: each addition apart
+   bool sign_memory = false;  ///< of direct SAD sums in 3 clocks: remember which pixel of a pair is the larger one
+   int winner_group = 2;      ///< candidates that one clock of the winner-take-all tree compares: 2 ... 16
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
       visit("aggregation", self.aggregation);
       visit("slice_disparities", self.slice_disparities, 2, kUnlimited, "the number of disparities of a slice");
       visit("cost_clocks", self.cost_clocks, 1, 3, "the number of clocks of the cost");
+      visit("sign_memory", self.sign_memory);
       visit("winner_group", self.winner_group, 2, 16, "the number of candidates of a winner group");
    }
 };
@@ -98,6 +100,9 @@ struct Config : Image, Matching, Structure {
    constexpr int feature_bits() const {
       return cost == Cost::census ? census_width_px * census_height_px - 1 : prefilter == Prefilter::xsobel ? 7 : 8;
    }
+   constexpr bool remembers_signs() const {
+      return sign_memory && cost == Cost::sad && aggregation == Aggregation::direct;
+   }
    constexpr bool has_transform() const { return cost == Cost::census || prefilter != Prefilter::none; }
    // Rows and columns on each side of a pixel that its transform needs, and groups of rows that it waits for.
    constexpr int transform_rows() const { return cost == Cost::census ? census_height_px / 2 : 1; }
@@ -124,6 +129,8 @@ struct Config : Image, Matching, Structure {
          return "the disparity range lies outside the image";
       if (first_cost_column() < window_px / 2) return "the disparity range must exceed the window's radius";
       if (row_groups() <= delay_groups()) return "the image must be higher than the rows that a window waits for";
+      if (sign_memory && (aggregation != Aggregation::direct || cost != Cost::sad || cost_clocks != 3 || width_px < 8))
+         return "a sign memory needs direct SAD sums in 3 clocks and images of at least 8 columns";
       if (has_transform() && row_groups() <= transform_groups())
          return "the image must be higher than the rows that a transform waits for";
       if (median && row_groups() <= 1) return "the image must be higher than the row that a median waits for";

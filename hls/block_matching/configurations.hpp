@@ -11,7 +11,7 @@ namespace stereo::block_matching::configurations {
 // clang-format off
 // paper: "Hardware implementation of an SAD based stereo vision algorithm" (Ambrosch et al., 2007), section 4: 320x240,
 // 100 disparities, 3x3 window; then with 2 (the paper's 32-bit input port) and 4 pixel pairs a clock.
-STEREO_ROW(ambrosch2007, paper, Config(), width_px = 320, height_px = 240, disparities = 100);
+STEREO_ROW(ambrosch2007, paper, Config(), width_px = 320, height_px = 240, disparities = 100, sign_memory = true);
 STEREO_ROW(ambrosch2007_p2, paper, ambrosch2007, pixels_per_clock = 2);
 STEREO_ROW(ambrosch2007_p4, paper, ambrosch2007, pixels_per_clock = 4);
 
@@ -84,6 +84,11 @@ STEREO_ROW(study_slice4, study, study, slice_disparities = 4);
 STEREO_ROW(study_slice16, study, study, slice_disparities = 16);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
+STEREO_ROW(tiny_signs, option, tiny, sign_memory = true);
+STEREO_ROW(tiny_signs_w4_p2, option, tiny, window_px = 4, pixels_per_clock = 2, reference = Reference::left,
+           sign_memory = true);
+STEREO_ROW(tiny_signs_w5, option, tiny, window_px = 5, sign_memory = true);
+STEREO_ROW(tiny_signs_p4, option, tiny, pixels_per_clock = 4, sign_memory = true);
 STEREO_ROW(tiny_w2, option, tiny, window_px = 2);
 STEREO_ROW(tiny_w4, option, tiny, window_px = 4);
 STEREO_ROW(tiny_w5, option, tiny, window_px = 5, cost_clocks = 2);

@@ -115,7 +115,7 @@ struct Core {
       if constexpr (C.has_left_right_check()) check();
       refinement.clock(slices.last(), texture);
       if constexpr (C.has_texture_check()) texture.clock(rows);
-      slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>());
+      slices.clock(rows.search, rows.reference, rows.tag, NoRival<C>(), rows.ready.column);
       rows.clock(delay);
       delay.clock(raster);
       if constexpr (C.has_transform()) {

@@ -6,7 +6,7 @@
 #include "cost/window_sum.hpp"
 #include "winner/candidate.hpp"
 #include "winner/diagonal_minimum.hpp"
-#include "winner/winner_tree.hpp"
+#include "winner/gated_tree.hpp"
 
 namespace stereo::block_matching {
 
@@ -29,8 +29,8 @@ struct DisparitySlice {
    using Shift = DisparityShift<C, kCount>;
    using Column = ColumnBlock<C, kCount>;
    using Window = WindowBlock<C, kCount>;
-   static constexpr int kLevels = winner_levels(C.largest_slice(), C.winner_group);
-   using Winner = WinnerTree<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
+   static constexpr int kLevels = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group);
+   using Winner = WinnerBlock<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
    /// From the rows' arrival at this slice to the best candidate of all slices (its losers come a clock later): a clock
    /// for each slice behind this one, the blocks of the last slice, and the comparison with the slice before it.
@@ -71,11 +71,14 @@ struct DisparitySlice {
       next.slices(visit);
    }
 
-   /// `rival`: the slice before this one, or NoRival.
+   /// `rival`: the slice before this one, or NoRival. early_column: of the rows that come two clocks later; only signs
+   /// are remembered by it.
    template <class Rival>
    HLS_INLINE void clock(const Feature<C> (&search)[kTaps], const Feature<C> (&reference)[kTaps], const PixelTag& tag,
-                         const Rival& rival) {
-      next.clock(shift.search_out, shift.reference, shift.tag, *this);
+                         const Rival& rival, uint16_t early_column = 0) {
+      if constexpr (C.remembers_signs())
+         next.clock(shift.search_out, shift.reference, shift.tag, *this, cost.signs.column);
+      else next.clock(shift.search_out, shift.reference, shift.tag, *this);
       const auto& root = winner.root();
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
@@ -96,7 +99,8 @@ struct DisparitySlice {
       winner.clock(window.sum, window.tag);
       if constexpr (C.has_left_right_check()) other.clock(window.sum, window.tag, kFirst, rival.other);
       window.clock(cost);
-      cost.clock(shift);
+      if constexpr (C.remembers_signs()) cost.clock(shift, early_column);
+      else cost.clock(shift);
       shift.clock(search, reference, tag);
    }
 
@@ -125,7 +129,7 @@ struct DisparitySlice<C, 0, Number> {
    HLS_INLINE void slices(Visitor&) {}
    template <class Rival>
    HLS_INLINE void clock(const Feature<C> (&)[C.tap_rows()], const Feature<C> (&)[C.tap_rows()], const PixelTag&,
-                         const Rival&) {}
+                         const Rival&, uint16_t = 0) {}
 };
 
 }  // namespace stereo::block_matching

@@ -12,6 +12,7 @@ template <const auto& C>
 inline constexpr auto kTextureConfig = [] {
    auto config = C;
    config.cost = Cost::sad;
+   config.sign_memory = false;  // its pixels do not come back
    return config;
 }();
 

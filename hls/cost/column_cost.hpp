@@ -6,6 +6,7 @@
 #include "cost/costs.hpp"
 #include "cost/pixel_cost.hpp"
 #include "cost/sad_cost.hpp"
+#include "cost/sign_memory.hpp"
 #include "support/matching_options.hpp"
 #include "support/memory_bank.hpp"
 #include "support/packed.hpp"
@@ -191,10 +192,37 @@ struct DirectSadColumn : SadCost<C, Count> {
    HLS_INLINE DirectSadColumn(Source&, MemoryId<Number>) {}
 };
 
+/// SadCost that remembers signs. Its clock also takes the column of the pixels that come two clocks later.
+template <const auto& C, int Count>
+struct RememberingSadColumn : SadCost<C, Count> {
+   using Base = SadCost<C, Count>;
+   static constexpr int kMemories = SignMemory<C, Count>::kMemories;
+
+   SignMemory<C, Count> signs;
+
+   template <class Source, int First>
+   HLS_INLINE RememberingSadColumn(Source& memories, MemoryId<First> first) : signs(memories, first) {}
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("signs", signs);
+      Base::registers(visit);
+   }
+
+   template <class Shift>
+   HLS_INLINE void clock(const Shift& shift, uint16_t early_column) {
+      signs.clock(early_column, static_cast<Base&>(*this), shift);
+   }
+};
+
+/// SAD without memory of sums.
+template <const auto& C, int Count>
+using SadColumn = std::conditional_t<C.remembers_signs(), RememberingSadColumn<C, Count>, DirectSadColumn<C, Count>>;
+
 /// The block that sums the costs of a configuration's columns. All have `column`, `tag`, `clock(shift)` and kClocks.
 template <const auto& C, int Count>
 using ColumnBlock =
     std::conditional_t<C.aggregation == Aggregation::recursive, RecursiveColumn<C, Count>,
-                       std::conditional_t<C.cost == Cost::sad, DirectSadColumn<C, Count>, DirectColumn<C, Count>>>;
+                       std::conditional_t<C.cost == Cost::sad, SadColumn<C, Count>, DirectColumn<C, Count>>>;
 
 }  // namespace stereo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cost/costs.hpp"
+#include "frontend/features.hpp"
 #include "frontend/pixel_tag.hpp"
 #include "support/registers.hpp"
 
@@ -14,22 +15,27 @@ namespace stereo {
 /// and at most a single tap above and below them, so the windows share the pairs: 3 additions for 2 columns of 3 pixels
 /// instead of 4.
 ///
-/// |a - b| is d = a - b where d is not negative and its complement plus 1 where it is. The plus 1 costs nothing where
-/// it enters the carry of an addition that is there anyway. A pair has one carry for two taps, so its second tap is
-/// subtracted both ways instead.
+/// |a - b| is d = a - b where d is not negative and its complement plus 1 where it is. The complement costs nothing in
+/// front of an addition, and the plus 1 nothing where it enters the carry of one. A pair has one carry for two taps, so
+/// the other tap's waits for the column sum. Where no carry is left for a tap that stands alone, it gets its plus 1 by
+/// itself, which takes no more than the complement would.
+///
+/// With C.remembers_signs() it is known from the row before which of two pixels is larger, for all but the newest rows:
+/// those are subtracted the right way round at once and need neither complement nor carry.
 template <const auto& C, int Count>
 struct SadCost {
    static constexpr int kClocks = C.cost_clocks;
    static constexpr int kPixels = C.pixels_per_clock;
    static constexpr int kTaps = C.tap_rows();
    static constexpr int kPairs = (kTaps - 1) / 2;
+   static constexpr int kKnown = C.remembers_signs() ? kTaps - kPixels : 0;  ///< taps whose signs are known
 
-   int16_t difference[kTaps][Count];    ///< search - reference, -255 ... 255
-   uint8_t reverse[kPairs + 1][Count];  ///< reference - search of the second tap of a pair, where that is not negative
+   int16_t difference[kTaps][Count];  ///< search - reference, -255 ... 255; its magnitude where the sign is known
    PixelTag difference_tag;
-   uint16_t pair[kPairs + 1][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, 0 ... 510
-   uint8_t single[kTaps][Count];  ///< |d|, less 1 where the difference is negative; only of the taps that stand alone
-   bool negative[kTaps][Count];
+   uint16_t pair[kPairs + 1][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, less 1 where `negative`
+   bool negative[kPairs + 1][Count];
+   uint8_t single[kTaps][Count];  ///< |d|, less 1 where `single_negative`; only of the taps that stand alone
+   bool single_negative[kTaps][Count];
    PixelTag pair_tag;
    ColumnCost<C> column[kPixels][Count];  ///< 0 in the border columns
    PixelTag tag;
@@ -39,11 +45,11 @@ struct SadCost {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("difference", difference);
-      visit("reverse", reverse);
       visit("difference_tag", difference_tag);
       visit("pair", pair);
-      visit("single", single);
       visit("negative", negative);
+      visit("single", single);
+      visit("single_negative", single_negative);
       visit("pair_tag", pair_tag);
       visit("column", column);
       visit("tag", tag);
@@ -52,31 +58,67 @@ struct SadCost {
    /// Steps in reverse order have registers between them; steps in order share a clock.
    template <class Shift>
    HLS_INLINE void clock(const Shift& shift) {
+      clock(shift, NoSigns());
+   }
+
+   /// signs.negative(t, i): whether a known tap's difference is negative.
+   template <class Shift, class Signs>
+   HLS_INLINE void clock(const Shift& shift, const Signs& signs) {
       if constexpr (C.cost_clocks == 3) {
          add_columns();
          add_pairs();
-         subtract(shift);
+         subtract(shift, signs);
       } else if constexpr (C.cost_clocks == 2) {
          add_pairs();
          add_columns();
-         subtract(shift);
+         subtract(shift, signs);
       } else {
-         subtract(shift);
+         subtract(shift, signs);
          add_pairs();
          add_columns();
       }
    }
 
   private:
-   template <class Shift>
-   HLS_INLINE void subtract(const Shift& shift) {
+   struct NoSigns {
+      static HLS_INLINE bool negative(int, int) { return false; }
+   };
+
+   // Window p covers the taps p ... p+B-1. From an even p: tap p, whole pairs, and of an even window a last single tap;
+   // from an odd p: whole pairs, and of an odd window a last single tap.
+   static constexpr int pairs_of(int p) { return p % 2 == 0 ? (C.window_px - 1) / 2 : C.window_px / 2; }
+   static constexpr bool starts_single(int p) { return p % 2 == 0; }
+   static constexpr bool ends_single(int p) { return (p + C.window_px) % 2 == 0; }
+   /// Whether both taps of a pair need a carry.
+   static constexpr bool defers(int pair) { return 2 * pair + 1 >= kKnown; }
+
+   /// Carries of window p's additions that no pair needs.
+   static constexpr int spare_carries(int p) {
+      int spare = pairs_of(p) + int(starts_single(p)) + int(ends_single(p)) - 1;
+      for (int j = p / 2; j < p / 2 + pairs_of(p); ++j) spare -= int(defers(j));
+      return spare;
+   }
+   /// Whether a single tap gets its plus 1 in a column sum. An even tap starts window t, an odd one ends another.
+   static constexpr bool is_folded(int t) {
+      if (t < kKnown) return false;
+      if (t % 2 == 0) return t < kPixels && spare_carries(t) > 0;
+      const int p = t - C.window_px + 1;
+      if (p < 0 || p >= kPixels || !ends_single(p)) return false;
+      return spare_carries(p) > (starts_single(p) && p >= kKnown ? 1 : 0);
+   }
+
+   template <class Shift, class Signs>
+   HLS_INLINE void subtract(const Shift& shift, const Signs& signs) {
       HLS_UNROLL
       for (int i = 0; i < Count; ++i) {
          HLS_UNROLL
-         for (int t = 0; t < kTaps; ++t) difference[t][i] = int16_t(shift.search[t][i] - shift.reference[t]);
-         HLS_UNROLL
-         for (int j = 0; j < kPairs; ++j)
-            reverse[j][i] = uint8_t(shift.reference[2 * j + 2] - shift.search[2 * j + 2][i]);
+         for (int t = 0; t < kTaps; ++t) {
+            const bool turned = t < kKnown && signs.negative(t, i);
+            const Feature<C> search = shift.search[t][i], reference = shift.reference[t];
+            const int16_t d =
+                int16_t(select<Feature<C>>(turned, reference, search) - select<Feature<C>>(turned, search, reference));
+            difference[t][i] = t < kKnown ? int16_t(uint8_t(d)) : d;
+         }
       }
       difference_tag = shift.tag;
    }
@@ -84,39 +126,44 @@ struct SadCost {
    /// d, or its complement where it is negative: 0 ... 255.
    static HLS_INLINE uint8_t folded(int16_t d) { return uint8_t(d ^ (d >> 15)); }
 
+   HLS_INLINE bool is_negative(int t, int i) const { return t >= kKnown && difference[t][i] < 0; }
+   HLS_INLINE uint8_t without_carry(int t, int i) const {
+      return t < kKnown ? uint8_t(difference[t][i]) : folded(difference[t][i]);
+   }
+
    HLS_INLINE void add_pairs() {
       HLS_UNROLL
       for (int i = 0; i < Count; ++i) {
          HLS_UNROLL
          for (int j = 0; j < kPairs; ++j) {
-            const int16_t first = difference[2 * j + 1][i], second = difference[2 * j + 2][i];
-            const uint8_t exact = select<uint8_t>(second < 0, reverse[j][i], uint8_t(second));
-            pair[j][i] = uint16_t(folded(first) + exact + uint16_t(first < 0));
+            const int first = 2 * j + 1, second = 2 * j + 2;
+            const bool carry = defers(j) ? is_negative(first, i) : is_negative(second, i);
+            pair[j][i] = uint16_t(without_carry(first, i) + without_carry(second, i) + uint16_t(carry));
+            negative[j][i] = defers(j) && is_negative(second, i);
          }
          HLS_UNROLL
          for (int t = 0; t < kTaps; ++t) {
-            single[t][i] = folded(difference[t][i]);
-            negative[t][i] = difference[t][i] < 0;
+            const bool plus = is_negative(t, i);
+            single[t][i] = uint8_t(without_carry(t, i) + uint8_t(plus && !is_folded(t)));
+            single_negative[t][i] = plus && is_folded(t);
          }
       }
       pair_tag = difference_tag;
    }
 
-   /// Window p covers the taps p ... p+B-1. From an even p: tap p, whole pairs, and of an even window a last single
-   /// tap; from an odd p: whole pairs, and of an odd window a last single tap.
    HLS_INLINE void add_columns() {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
-         const int pairs = p % 2 == 0 ? (C.window_px - 1) / 2 : C.window_px / 2;
          HLS_UNROLL
          for (int i = 0; i < Count; ++i) {
             uint16_t sum = 0;
             HLS_UNROLL
-            for (int j = 0; j < pairs; ++j) sum = uint16_t(sum + pair[p / 2 + j][i]);
-            if (p % 2 == 0) sum = uint16_t(sum + single[p][i] + uint16_t(negative[p][i]));
-            if ((p + C.window_px) % 2 == 0) {
+            for (int j = p / 2; j < p / 2 + pairs_of(p); ++j)
+               sum = uint16_t(sum + pair[j][i] + uint16_t(negative[j][i]));
+            if (starts_single(p)) sum = uint16_t(sum + single[p][i] + uint16_t(single_negative[p][i]));
+            if (ends_single(p)) {
                const int last = p + C.window_px - 1;
-               sum = uint16_t(sum + single[last][i] + uint16_t(negative[last][i]));
+               sum = uint16_t(sum + single[last][i] + uint16_t(single_negative[last][i]));
             }
             column[p][i] = select<ColumnCost<C>>(pair_tag.border_column, 0, ColumnCost<C>(sum));
          }

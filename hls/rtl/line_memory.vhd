@@ -25,10 +25,9 @@ entity line_memory is
 end entity;
 
 architecture rtl of line_memory is
-  -- Columns of whole numbers: integers start at 0 by themselves, and a memory without initial values is what some
-  -- synthesisers need for block RAM. As few columns as integers allow, all equally wide: a block RAM holds 32 or 36 bits
-  -- side by side.
-  constant columns : positive := (width + 29) / 30;
+  -- Columns of bits: they start at '0' by themselves, and a memory without initial values is what some synthesisers need
+  -- for block RAM. As few columns as can be, all equally wide: a block RAM holds 36 bits side by side.
+  constant columns : positive := (width + 35) / 36;
   constant column_bits : positive := (width + columns - 1) / columns;
 
   function least(a, b : natural) return natural is
@@ -43,9 +42,9 @@ begin
     constant low : natural := c * column_bits;
     constant high : natural := least(low + column_bits, width) - 1;
     constant bits : natural := high - low + 1;
-    type words is array (0 to depth - 1) of natural range 0 to 2 ** bits - 1;
+    type words is array (0 to depth - 1) of bit_vector(bits - 1 downto 0);
     signal memory : words;
-    signal word : natural range 0 to 2 ** bits - 1;
+    signal word : bit_vector(bits - 1 downto 0);
   begin
     process (clock)
     begin
@@ -53,9 +52,9 @@ begin
         if read_enable then
           word <= memory(read_address);
         end if;
-        memory(write_address) <= to_integer(write_data(high downto low));
+        memory(write_address) <= to_bitvector(std_logic_vector(write_data(high downto low)));
       end if;
     end process;
-    read_data(high downto low) <= to_unsigned(word, bits);
+    read_data(high downto low) <= unsigned(to_stdlogicvector(word));
   end generate;
 end architecture;

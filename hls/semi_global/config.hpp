@@ -80,6 +80,7 @@ struct Config : Image, Matching, Structure {
 
    /// Why this core cannot be built; empty when it can. Each block relies on it instead of repeating it.
    constexpr Sentence problem() const {
+      if (sign_memory) return "a sign memory is for block matching";
       if (const Sentence sentence = Matching::problem(); !sentence.empty()) return sentence;
       if (const Sentence sentence = windows().problem(); !sentence.empty()) return sentence;
       if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";

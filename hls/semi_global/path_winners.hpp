@@ -4,7 +4,7 @@
 #include "semi_global/config.hpp"
 #include "winner/candidate.hpp"
 #include "winner/diagonal_minimum.hpp"
-#include "winner/winner_tree.hpp"
+#include "winner/gated_tree.hpp"
 
 namespace stereo::semi_global {
 
@@ -12,10 +12,10 @@ namespace stereo::semi_global {
 /// matching.
 template <const Config& C>
 struct PathWinners {
-   static constexpr int kLevels = winner_levels(C.disparities, C.winner_group);
+   static constexpr int kLevels = winner_clocks<WindowCandidate<kSumConfig<C>>>(C.disparities, C.winner_group);
    static constexpr int kClocks = kLevels + 1;
    using Other = DiagonalMinimum<kSumConfig<C>, (C.has_left_right_check() ? C.disparities : 1)>;
-   using Tree = WinnerTree<WindowCandidate<kSumConfig<C>>, PixelTag, 1, C.winner_group, C.disparities, kLevels>;
+   using Tree = WinnerBlock<WindowCandidate<kSumConfig<C>>, PixelTag, 1, C.winner_group, C.disparities, kLevels>;
 
    Other other;
    Tree winner;

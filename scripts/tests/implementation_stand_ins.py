@@ -10,10 +10,11 @@ CELLS = {"LUT4": 10, "CCU2C": 3, "TRELLIS_DPR16X4": 2, "PFUMX": 4, "TRELLIS_FF":
 NETLIST = {
     "modules": {
         "stereo_core": {
+            "ports": {},
             "netnames": {"raster_left": {"bits": [5]}, "n1_q": {"bits": [5]}, "n2_q": {"bits": [6]}},
             "cells": {
-                "a": {"type": "TRELLIS_FF", "connections": {"Q": [5]}},
-                "b": {"type": "TRELLIS_FF", "connections": {"Q": [6]}},
+                "a": {"type": "TRELLIS_FF", "port_directions": {"Q": "output"}, "connections": {"Q": [5]}},
+                "b": {"type": "TRELLIS_FF", "port_directions": {"Q": "output"}, "connections": {"Q": [6]}},
             },
         }
     }

@@ -124,6 +124,18 @@ def test_known_simplifications():
     )
 
 
+def test_a_range_check_becomes_two_comparisons():
+    """As the tool writes `5 <= x < 9`: x - 5 modulo a power of two, then less than 4."""
+    x = n.leaf("input", "c", 3)
+    for start in range(1, 8):
+        for count in range(1, 17 - start):
+            check = n.less(n.wrap(n.add(x, n.const(16 - start)), 4), n.const(count))
+            assert not any(node.op == "wrap" for node in n.walk([check])) or count > 16 - start
+            for value in range(8):
+                inputs = dict.fromkeys(WIDTHS, 0) | {"c": value}
+                assert evaluate(check, inputs) == ((value - start) % 16 < count), f"{value} from {start}, {count}"
+
+
 def test_twins_are_merged_and_unused_registers_dropped():
     a = n.leaf("input", "a", 8)
     one, two = (netlist.Register(name, n.leaf("register", name, 8), 0, a) for name in ("one", "two"))

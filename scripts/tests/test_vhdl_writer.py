@@ -229,6 +229,17 @@ def test_reset_reaches_flags_through_a_memory():
     assert sorted(r.name for r in control_registers(design).values()) == ["data", "flag", "m_address"]
 
 
+def test_numbers_are_compared_by_their_difference_and_constants_are_not():
+    design = memory_design()
+    x, y = n.leaf("input", "left_pixel", 8), n.leaf("input", "right_pixel", 8)
+    design.inputs |= {"left_pixel": x, "right_pixel": y}
+    design.outputs["disparity_valid"] = n.less(x, y)
+    design.outputs["disparity_end_of_line"] = n.less(x, n.const(7))
+    text = VhdlWriter(design, "-- comparisons", ENTITY).write()
+    assert "disparity_valid <= as_bit((in_left_pixel - in_right_pixel) < 0);" in text
+    assert "disparity_end_of_line <= as_bit(in_left_pixel < 7);" in text
+
+
 def test_memories_become_the_cell():
     text = VhdlWriter(memory_design(), "-- memory", ENTITY).write()
     assert re.search(r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8\)", text)

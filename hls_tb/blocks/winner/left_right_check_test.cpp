@@ -15,8 +15,8 @@
 #include "testing/seed.hpp"
 #include "testing/tags.hpp"
 #include "testing/test_configs.hpp"
+#include "winner/gated_tree.hpp"
 #include "winner/refinement.hpp"
-#include "winner/winner_tree.hpp"
 #include "winner/winners.hpp"
 
 namespace stereo::test {
@@ -46,7 +46,7 @@ struct Record {
 
 /// Clocks by which the other image's winners are ahead in a core.
 template <const block_matching::Config& C>
-constexpr int kAhead = winner_levels(C.largest_slice(), C.winner_group) + Refinement<C>::kClocks;
+constexpr int kAhead = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group) + Refinement<C>::kClocks;
 
 template <const block_matching::Config& C>
 struct CheckBench {

@@ -8,6 +8,7 @@
 
 #include "frontend/pixel_tag.hpp"
 #include "winner/candidate.hpp"
+#include "winner/gated_tree.hpp"
 #include "winner/winner_tree.hpp"
 
 namespace stereo::test {
@@ -15,10 +16,8 @@ namespace {
 
 constexpr CandidateKind kPlain{.largest_cost = 65535};
 
-template <int N, int Group>
-void expect_first_smallest_of_all_combinations() {
-   constexpr int kLevels = winner_levels(N, Group);
-   WinnerTree<Candidate<kPlain>, PixelTag, 1, Group, N, kLevels> tree;
+template <int N, int kLevels, class Tree>
+void expect_first_smallest_of_all_combinations(Tree tree) {
    std::array<int, N> digits{};
    long combinations = 0;
    for (bool more = true; more; ++combinations) {
@@ -42,6 +41,19 @@ void expect_first_smallest_of_all_combinations() {
    ASSERT_EQ(combinations, all);
 }
 
+template <int N, int Group>
+void expect_first_smallest_of_all_combinations() {
+   constexpr int kLevels = winner_levels(N, Group);
+   expect_first_smallest_of_all_combinations<N, kLevels>(
+       WinnerTree<Candidate<kPlain>, PixelTag, 1, Group, N, kLevels>());
+}
+
+template <int N>
+void expect_gated_first_smallest_of_all_combinations() {
+   constexpr int kClocks = gated_clocks(N);
+   expect_first_smallest_of_all_combinations<N, kClocks>(GatedTree<Candidate<kPlain>, PixelTag, 1, N, kClocks>());
+}
+
 TEST(WinnerTreeExhaustive, TwoCandidates) { expect_first_smallest_of_all_combinations<2, 2>(); }
 TEST(WinnerTreeExhaustive, ThreeCandidates) { expect_first_smallest_of_all_combinations<3, 2>(); }
 TEST(WinnerTreeExhaustive, FourCandidates) { expect_first_smallest_of_all_combinations<4, 2>(); }
@@ -50,6 +62,10 @@ TEST(WinnerTreeExhaustive, FiveCandidatesInThrees) { expect_first_smallest_of_al
 TEST(WinnerTreeExhaustive, SixCandidatesInThrees) { expect_first_smallest_of_all_combinations<6, 3>(); }
 TEST(WinnerTreeExhaustive, SevenCandidates) { expect_first_smallest_of_all_combinations<7, 2>(); }
 TEST(WinnerTreeExhaustive, SevenCandidatesInFours) { expect_first_smallest_of_all_combinations<7, 4>(); }
+TEST(GatedTreeExhaustive, ThreeCandidates) { expect_gated_first_smallest_of_all_combinations<3>(); }
+TEST(GatedTreeExhaustive, FourCandidates) { expect_gated_first_smallest_of_all_combinations<4>(); }
+TEST(GatedTreeExhaustive, FiveCandidates) { expect_gated_first_smallest_of_all_combinations<5>(); }
+TEST(GatedTreeExhaustive, SevenCandidates) { expect_gated_first_smallest_of_all_combinations<7>(); }
 
 }  // namespace
 }  // namespace stereo::test

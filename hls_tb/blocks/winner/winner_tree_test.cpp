@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "winner/winner_tree.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,7 +11,7 @@
 #include "testing/expect_candidate.hpp"
 #include "testing/seed.hpp"
 #include "testing/tags.hpp"
-#include "winner/candidate.hpp"
+#include "winner/gated_tree.hpp"
 
 namespace stereo::test {
 namespace {
@@ -32,20 +30,21 @@ struct TreeType {
         .subpixel = Needs == Extras::neighbours || Needs == Extras::both},
        {.winner_group = Group}};
    static constexpr int kCandidates = N;
-   static constexpr int kLevels = winner_levels(N, Group) + Spare;
-   using Tree = WinnerTree<WindowCandidate<kConfig>, PixelTag, Pixels, Group, N, kLevels>;
+   static constexpr int kLevels = winner_clocks<WindowCandidate<kConfig>>(N, Group) + Spare;
+   using Tree = WinnerBlock<WindowCandidate<kConfig>, PixelTag, Pixels, Group, N, kLevels>;
 };
 
 template <class Tree>
 class WinnerTreeTest : public ::testing::Test {};
 using Trees = ::testing::Types<
-    TreeType<1, 2, 2>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>, TreeType<2, 3, 3, 1>,
-    TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>, TreeType<4, 25, 2, 0, Ties::largest>,
-    TreeType<1, 26, 3>, TreeType<1, 37, 7>, TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>,
-    TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>, TreeType<2, 3, 2, 0, Ties::largest, Extras::both>,
-    TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>, TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>,
-    TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>, TreeType<1, 26, 3, 0, Ties::largest, Extras::both>,
-    TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
+    TreeType<1, 2, 2>, TreeType<1, 3, 2>, TreeType<2, 4, 2, 2>, TreeType<1, 6, 2, 1>,
+    TreeType<1, 9, 2, 0, Ties::largest>, TreeType<2, 2, 2, 3>, TreeType<4, 3, 2, 0, Ties::largest>,
+    TreeType<2, 3, 3, 1>, TreeType<1, 4, 4, 0, Ties::largest>, TreeType<4, 5, 4>, TreeType<2, 17, 16>,
+    TreeType<4, 25, 2, 0, Ties::largest>, TreeType<1, 26, 3>, TreeType<1, 37, 7>,
+    TreeType<1, 255, 16, 0, Ties::largest>, TreeType<1, 256, 2>, TreeType<1, 2, 2, 1, Ties::smallest, Extras::both>,
+    TreeType<2, 3, 2, 0, Ties::largest, Extras::both>, TreeType<1, 4, 2, 0, Ties::smallest, Extras::second>,
+    TreeType<1, 5, 3, 0, Ties::largest, Extras::neighbours>, TreeType<4, 5, 2, 2, Ties::smallest, Extras::both>,
+    TreeType<1, 26, 3, 0, Ties::largest, Extras::both>, TreeType<1, 37, 16, 0, Ties::smallest, Extras::both>>;
 TYPED_TEST_SUITE(WinnerTreeTest, Trees);
 
 /// Feeds a tree and compares its root.

@@ -9,6 +9,7 @@ from pathlib import Path
 from ..base import venv
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Say, Word, find_tool, run
+from . import ecp5_netlist
 from .record import Area
 from .targets import REQUIREMENTS, TOP, Target
 
@@ -59,6 +60,9 @@ def synthesize(target: Target, verilog: str, work: Path) -> tuple[Area, list[str
         cells = json.loads((work / "stat.json").read_text())["modules"]["\\" + TOP]["num_cells_by_type"]
         memories = read_memories((work / "memories.txt").read_text())
         lost = read_memories((work / "unmapped.txt").read_text())
+        if target.device:
+            change = ecp5_netlist.improve(work / "netlist.json", TOP)
+            cells = {n: count for n in cells if (count := cells[n] + change.get(n, 0))}
     except (OSError, ValueError, KeyError) as error:
         raise FlowError(
             f"yosys wrote no usable statistics ({error}); see {work / 'yosys.log'}", EXIT_TOOL_FAILED

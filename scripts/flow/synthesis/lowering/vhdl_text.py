@@ -52,6 +52,13 @@ def _placed(term: Node) -> list[tuple[int, Node]]:
     return places
 
 
+def _has_safe_difference(a: Node, b: Node) -> bool:
+    """Whether two numbers are better compared by the sign of their difference: a subtraction becomes one carry chain
+    everywhere, a comparison only in some tools. Tests against constants are smaller as they are."""
+    limit = 1 << 30
+    return not any(n.op == "const" or n.low < -limit or n.high >= limit for n in (a, b))
+
+
 # {id(node): (name, wide)} of nodes that have one.
 Names = dict[int, tuple[str, bool]]
 
@@ -76,6 +83,8 @@ class Writer:
             a, b = node.args
             if a.is_bit and b.is_bit:
                 return f"({self.condition(a)} {COMPARISONS[node.op]} {self.condition(b)})"
+            if node.op in ("lt", "ge") and _has_safe_difference(a, b):
+                return f"(({self.number(a)} - {self.number(b)}) {COMPARISONS[node.op]} 0)"
             return f"({self.number(a)} {COMPARISONS[node.op]} {self.number(b)})"
         if node.op in ("and", "or") and node.param is None:
             return "(" + f" {node.op} ".join(self.condition(a) for a in node.args) + ")"

@@ -245,11 +245,25 @@ def less(a: Node, b: Node) -> Node:
         return const(1)
     if a.low >= b.high:
         return const(0)
+    start = _start_of_range(a, b)
+    if start is not None:  # start <= x < start + b
+        x = a.args[0].args[0]
+        return bit_and(bit_not(less(x, const(start))), less(x, const(start + b.number)))
     if _wraps_negatives_beyond(a, b):  # 0 <= x < b
         return bit_and(bit_not(less(a.args[0], const(0))), less(a.args[0], b))
     if _wraps_negatives_beyond(b, a):  # x < 0 or a < x
         return bit_or(less(b.args[0], const(0)), less(a, b.args[0]))
     return make_node("lt", (a, b), None, 0, 1)
+
+
+def _start_of_range(node: Node, end: Node) -> int | None:
+    """Where (x - start) modulo 2**w < end, with `start` added as 2**w - start, is a range check of x."""
+    if node.op != "wrap" or node.wrapping[1] or node.args[0].op != "add" or not is_const(end):
+        return None
+    modulus, terms = 1 << node.wrapping[0], node.args[0].args
+    if len(terms) != 2 or not is_const(terms[1]) or not end.number <= terms[1].number < modulus:
+        return None
+    return modulus - terms[1].number if terms[0].low >= 0 and terms[0].high < modulus else None
 
 
 def _wraps_negatives_beyond(node: Node, other: Node) -> bool:

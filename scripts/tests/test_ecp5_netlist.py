@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Netlists whose carry chains were packed again do the same: yosys proves it, and notices a single wrong bit."""
+
+import copy
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from flow.base import rtl
+from flow.base.errors import FlowError
+from flow.base.ghdl import to_verilog
+from flow.base.tools import find_yosys, run
+from flow.implementation import ecp5_carry, ecp5_memory
+
+# What the cores do with numbers: magnitudes, sums with a carry, comparisons, among them of numbers of which one of two
+# is 0; all without registers, so that a proof needs no time.
+SOURCE = """
+module top(input [7:0] a, b, c, d, input [11:0] v, w, x, y, input s, t,
+           output [8:0] difference, output [8:0] pair, output [7:0] magnitude, output [9:0] column,
+           output less, not_less, less_of_either, output [8:0] with_carry_in, output carry_only, output [3:0] narrow,
+           output [8:0] turned);
+  assign difference = a - b;
+  wire [7:0] folded_a = s ? ~a : a, folded_b = t ? ~b : b;
+  assign pair = folded_a + folded_b + s;
+  assign magnitude = folded_a + s;
+  assign column = {1'b0, c, d[0]} + folded_b + t;
+  wire [12:0] v_w = v - w, either = (v | w) - (x | y);
+  assign less = v_w[12];
+  wire [12:0] x_w = x - w;
+  assign not_less = !x_w[12];
+  assign less_of_either = either[12];
+  assign with_carry_in = c + d + (a[0] & b[0]);
+  wire [8:0] sum = c + d;
+  assign carry_only = sum[8];
+  assign narrow = a[2:0] - b[2:0];
+  assign turned = (s ? b : a) - (s ? a : b);
+endmodule
+"""
+# The cells as Lattice describes them, apart from yosys's own models.
+CELLS = """
+module LUT4(input A, B, C, D, output Z);
+  parameter [15:0] INIT = 0;
+  assign Z = INIT[{D, C, B, A}];
+endmodule
+module PFUMX(input ALUT, BLUT, C0, output Z);
+  assign Z = C0 ? ALUT : BLUT;
+endmodule
+module L6MUX21(input D0, D1, SD, output Z);
+  assign Z = SD ? D1 : D0;
+endmodule
+module CCU2C(input CIN, A0, B0, C0, D0, A1, B1, C1, D1, output S0, S1, COUT);
+  parameter [15:0] INIT0 = 0, INIT1 = 0;
+  parameter INJECT1_0 = "NO", INJECT1_1 = "NO";
+  wire through_0 = INIT0[{D0, C0, B0, A0}], through_1 = INIT1[{D1, C1, B1, A1}];
+  wire carry = through_0 ? CIN : INIT0[{2'b00, B0, A0}];
+  assign S0 = through_0 ^ CIN, S1 = through_1 ^ carry, COUT = through_1 ? carry : INIT1[{2'b00, B1, A1}];
+endmodule
+"""
+
+
+@pytest.fixture(scope="module")
+def netlist(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    work = tmp_path_factory.mktemp("ecp5")
+    (work / "top.v").write_text(SOURCE)
+    commands = "read_verilog top.v; synth_ecp5 -abc9 -top top; write_json top.json"
+    run([find_yosys(), "-p", commands], cwd=work, log=work / "synthesis.log")
+    content: dict[str, Any] = json.loads((work / "top.json").read_text())
+    for module in content["modules"].values():
+        module["cells"] = {n: c for n, c in module["cells"].items() if not c["type"].startswith("$")}
+    return {"modules": {"top": content["modules"]["top"]}}
+
+
+def packed(netlist: dict[str, Any]) -> dict[str, Any]:
+    result = copy.deepcopy(netlist)
+    ecp5_carry.CarryPacker(result["modules"]["top"]).run()
+    return result
+
+
+def look_up_tables(netlist: dict[str, Any]) -> int:
+    types = [cell["type"] for cell in netlist["modules"]["top"]["cells"].values()]
+    return types.count("LUT4") + 2 * types.count("CCU2C")
+
+
+def prove_equal(before: dict[str, Any], after: dict[str, Any], work: Path) -> None:
+    """Raises where the two differ for any input."""
+    (work / "cells.v").write_text(CELLS)
+    for name, content in (("before", before), ("after", copy.deepcopy(after))):
+        for cell in content["modules"]["top"]["cells"].values():  # nextpnr's way to say that an output goes nowhere
+            for port, bits in cell["connections"].items():
+                if cell["port_directions"][port] == "output" and bits == ["x"]:
+                    cell["connections"][port] = []
+        renamed = {"modules": {name: content["modules"]["top"] | {"attributes": {}}}}  # none of them the top
+        (work / f"{name}.json").write_text(json.dumps(renamed))
+    commands = [
+        "read_json before.json; read_json after.json; read_verilog cells.v",
+        "hierarchy -check; proc; flatten; opt_clean",
+        "miter -equiv -make_outputs -flatten before after miter; hierarchy -top miter; opt -full",
+        "sat -verify -prove trigger 0 miter",
+    ]
+    run([find_yosys(), "-p", "; ".join(commands)], cwd=work, log=work / "proof.log")
+
+
+def test_packed_chains_are_proven_equal_and_smaller(netlist: dict[str, Any], tmp_path: Path) -> None:
+    after = packed(netlist)
+    prove_equal(netlist, after, tmp_path)
+    assert look_up_tables(after) < 0.75 * look_up_tables(netlist)
+
+
+def logic_only(netlist: dict[str, Any]) -> dict[str, Any]:
+    """The netlist without registers and memories: what they give becomes an input, what they take an output."""
+    module = netlist["modules"]["top"]
+    ports = dict(module["ports"])
+    for name in [n for n, c in module["cells"].items() if c["type"] not in ("LUT4", "CCU2C", "PFUMX", "L6MUX21")]:
+        cell = module["cells"].pop(name)
+        for port, bits in cell["connections"].items():
+            nets = [bit for bit in bits if isinstance(bit, int)]  # constants stay
+            direction = "input" if cell["port_directions"][port] == "output" else "output"
+            if nets:
+                ports[re.sub(r"\W", "_", name) + "_" + port] = {"direction": direction, "bits": nets}
+    return {"modules": {"top": {"ports": ports, "cells": module["cells"], "netnames": {}}}}
+
+
+def test_a_whole_core_is_proven_equal(ghdl: str, tmp_path: Path) -> None:
+    """The committed `tiny`. Registers and memories are the same before and after, so the logic between them decides."""
+    entity = rtl.core_entity("tiny")
+    verilog = to_verilog([rtl.MEMORY_CELL, rtl.folder("tiny") / f"{entity}.vhd"], tmp_path, entity)
+    (tmp_path / "top.v").write_text(re.sub(rf"\bmodule {entity}\b", "module top", verilog))
+    commands = "read_verilog top.v; hierarchy -top top; proc; flatten; opt -full; synth_ecp5 -abc9 -top top"
+    run([find_yosys(), "-p", f"{commands}; write_json top.json"], cwd=tmp_path, log=tmp_path / "synthesis.log")
+    before = {"modules": {"top": json.loads((tmp_path / "top.json").read_text())["modules"]["top"]}}
+    after = packed(before)
+    assert look_up_tables(after) < look_up_tables(before)
+    prove_equal(logic_only(before), logic_only(after), tmp_path)
+
+
+@pytest.mark.parametrize("which", range(4))
+def test_the_proof_notices_a_wrong_bit(netlist: dict[str, Any], tmp_path: Path, which: int) -> None:
+    after = packed(netlist)
+    cells = [cell for cell in after["modules"]["top"]["cells"].values() if cell["type"] == "CCU2C"]
+    parameters = cells[which * (len(cells) - 1) // 3]["parameters"]
+    # The one bit of a half that is used with every one of its inputs at 1.
+    wrong = parameters["INIT0"]
+    parameters["INIT0"] = ("0" if wrong[0] == "1" else "1") + wrong[1:]
+    with pytest.raises(FlowError):
+        prove_equal(netlist, after, tmp_path)
+
+
+def test_an_inner_table_takes_the_place_of_its_net() -> None:
+    both = ecp5_carry.Table((1, 2), 0b1000)
+    either = ecp5_carry.Table((3, 4), 0b1110)
+    inserted = ecp5_carry.with_input(both, 2, either)
+    for values in ecp5_carry.assignments((1, 3, 4)):
+        assert inserted.at(values) == (values[1] & (values[3] | values[4]))
+
+
+def test_a_half_that_needs_more_than_its_tables_does_not_fit() -> None:
+    sum_of_four = ecp5_carry.tabulate((1, 2, 3, 4), lambda v: (v[1] + v[2] + v[3] + v[4]) & 1)
+    fits = ecp5_carry.Half(sum_of_four, ecp5_carry.tabulate((1, 2), lambda v: v[1] ^ v[2]), 9)
+    assert fits.fit() is not None
+    majority = ecp5_carry.tabulate((1, 2, 3), lambda v: int(v[1] + v[2] + v[3] > 1))
+    assert ecp5_carry.Half(ecp5_carry.constant(0), majority, None).fit() is None
+
+
+def memory(register: dict[str, Any]) -> dict[str, Any]:
+    """A RAM with one output that is read, and what reads it."""
+    ram = {
+        "type": "DP16KD",
+        "parameters": {"REGMODE_A": "NOREG", "REGMODE_B": "NOREG"},
+        "port_directions": {"CLKB": "input", "OCEA": "input", "OCEB": "input", "DOB0": "output", "DOB1": "output"},
+        "connections": {"CLKB": [2], "OCEA": ["1"], "OCEB": ["1"], "DOB0": [10], "DOB1": [11]},
+    }
+    plain = {
+        "type": "TRELLIS_FF",
+        "parameters": {"CEMUX": "1 ", "CLKMUX": "CLK", "REGSET": "RESET"},
+        "port_directions": {"CLK": "input", "DI": "input", "LSR": "input", "Q": "output"},
+        "connections": {"CLK": [2], "DI": [10], "LSR": ["0"], "Q": [20]},
+    }
+    for key, value in register.items():
+        plain[key] = plain[key] | value
+    return {"ports": {"out": {"bits": [20]}}, "cells": {"ram": ram, "register": plain}}
+
+
+def test_a_register_behind_a_memory_moves_into_it() -> None:
+    module = memory({})
+    assert ecp5_memory.use_output_registers(module) == 1
+    assert list(module["cells"]) == ["ram"]
+    ram = module["cells"]["ram"]
+    assert ram["parameters"] == {"REGMODE_A": "NOREG", "REGMODE_B": "OUTREG"}
+    assert ram["connections"]["DOB0"] == [20]
+
+
+@pytest.mark.parametrize(
+    "register",
+    [
+        {"connections": {"CLK": [3]}},
+        {"connections": {"LSR": [4]}},
+        {"parameters": {"CEMUX": "CE"}},
+        {"parameters": {"REGSET": "SET"}},
+        {"parameters": {"CLKMUX": "INV"}},
+    ],
+)
+def test_other_registers_stay(register: dict[str, Any]) -> None:
+    module = memory(register)
+    assert ecp5_memory.use_output_registers(module) == 0
+    assert set(module["cells"]) == {"ram", "register"}
+
+
+def test_a_memory_of_which_something_else_is_read_stays() -> None:
+    module = memory({})
+    module["ports"]["other"] = {"bits": [10]}
+    assert ecp5_memory.use_output_registers(module) == 0
