@@ -100,9 +100,7 @@ begin
     if rising_edge(clock) then
       out_valid <= brings or fills;
       out_start <= begins;
-      if brings = '1' or fills = '1' then
-        out_data <= in_data;
-      end if;
+      out_data <= in_data;  -- counts with out_valid only
 
       in_frame := brings;
       if phase = filling then

@@ -54,6 +54,7 @@ inline std::string config_name(const block_matching::Config& c) {
    if (c.subpixel) name += "_subpixel";
    if (c.median) name += "_median";
    if (c.aggregation == Aggregation::recursive) name += "_recursive";
+   if (c.sign_memory) name += "_signs";
    return name;
 }
 

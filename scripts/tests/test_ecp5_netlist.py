@@ -164,13 +164,14 @@ def test_a_half_that_needs_more_than_its_tables_does_not_fit() -> None:
     assert ecp5_carry.Half(ecp5_carry.constant(0), majority, None).fit() is None
 
 
-def memory(register: dict[str, Any]) -> dict[str, Any]:
+def memory(register: dict[str, Any], width: int = 18) -> dict[str, Any]:
     """A RAM with one output that is read, and what reads it."""
     ram = {
         "type": "DP16KD",
-        "parameters": {"REGMODE_A": "NOREG", "REGMODE_B": "NOREG"},
-        "port_directions": {"CLKB": "input", "OCEA": "input", "OCEB": "input", "DOB0": "output", "DOB1": "output"},
-        "connections": {"CLKB": [2], "OCEA": ["1"], "OCEB": ["1"], "DOB0": [10], "DOB1": [11]},
+        "parameters": {"REGMODE_A": "NOREG", "REGMODE_B": "NOREG", "DATA_WIDTH_B": f"{width:b}"},
+        "port_directions": dict.fromkeys(("CLKA", "CLKB", "OCEA", "OCEB"), "input")
+        | dict.fromkeys(("DOB0", "DOB1"), "output"),
+        "connections": {"CLKA": [2], "CLKB": [2], "OCEA": ["0"], "OCEB": ["1"], "DOB0": [10], "DOB1": [11]},
     }
     plain = {
         "type": "TRELLIS_FF",
@@ -188,8 +189,16 @@ def test_a_register_behind_a_memory_moves_into_it() -> None:
     assert ecp5_memory.use_output_registers(module) == 1
     assert list(module["cells"]) == ["ram"]
     ram = module["cells"]["ram"]
-    assert ram["parameters"] == {"REGMODE_A": "NOREG", "REGMODE_B": "OUTREG"}
+    assert (ram["parameters"]["REGMODE_A"], ram["parameters"]["REGMODE_B"]) == ("NOREG", "OUTREG")
     assert ram["connections"]["DOB0"] == [20]
+
+
+def test_both_ports_of_a_wide_memory_take_their_registers_in_together() -> None:
+    module = memory({}, width=36)
+    assert ecp5_memory.use_output_registers(module) == 1
+    ram = module["cells"]["ram"]
+    assert (ram["parameters"]["REGMODE_A"], ram["parameters"]["REGMODE_B"]) == ("OUTREG", "OUTREG")
+    assert ram["connections"]["OCEA"] == ram["connections"]["OCEB"] == ["1"]
 
 
 @pytest.mark.parametrize(

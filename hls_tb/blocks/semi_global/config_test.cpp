@@ -34,6 +34,7 @@ TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
              }),
              "a single pixel has no recursive sum");
    EXPECT_EQ(problem([](Config& c) { c.p1 = -1; }), "the penalty P1 is -1 but must be 0 ... 4095");
+   EXPECT_EQ(problem([](Config& c) { c.sign_memory = true; }), "a sign memory is for block matching");
    EXPECT_EQ(problem([](Config& c) { c.winner_group = 1; }),
              "the number of candidates of a winner group is 1 but must be 2 ... 16");
    EXPECT_EQ(problem([](Config& c) { c.path_left = c.path_right = c.path_above = false; }),

@@ -9,9 +9,6 @@ from typing import Any
 
 from .ecp5_carry import Bit, Cell
 
-# Port of a DP16KD: the names of its outputs begin so.
-OUTPUTS = {"A": "DOA", "B": "DOB"}
-
 
 def use_output_registers(module: dict[str, Any]) -> int:
     """Returns how many ports of RAMs took their registers in. A port does where each of its outputs that is read goes
@@ -26,33 +23,44 @@ def use_output_registers(module: dict[str, Any]) -> int:
     for port in module["ports"].values():
         for bit in port["bits"]:
             readers.setdefault(bit, []).append(("", ""))
-    changed = 0
-    for cell in [cell for cell in cells.values() if cell["type"] == "DP16KD"]:
-        for side, start in OUTPUTS.items():
-            outputs = {p: bits[0] for p, bits in cell["connections"].items() if p.startswith(start) and bits}
-            read = {p: readers[bit] for p, bit in outputs.items() if readers.get(bit)}
-            if (
-                cell["parameters"][f"REGMODE_{side}"] != "NOREG"
-                or cell["connections"][f"OCE{side}"] != ["1"]
-                or not read
-            ):
-                continue
-            if not all(len(r) == 1 and _is_plain(cells.get(r[0][0]), cell, side, r[0][1]) for r in read.values()):
-                continue
-            for port, ((register, _),) in read.items():
-                cell["connections"][port] = cells.pop(register)["connections"]["Q"]
-            cell["parameters"][f"REGMODE_{side}"] = "OUTREG"
-            changed += 1
-    return changed
+    return sum(_take_in(cell, sides, cells, readers) for cell in list(cells.values()) for sides in _ports_of(cell))
 
 
-def _is_plain(reader: Cell | None, memory: Cell, side: str, port: str) -> bool:
+def _ports_of(cell: Cell) -> list[str]:
+    """The ports of a RAM that are read apart: words of 36 bits come out of both together."""
+    if cell["type"] != "DP16KD":
+        return []
+    return ["AB"] if int(cell["parameters"]["DATA_WIDTH_B"], 2) == 36 else ["A", "B"]
+
+
+def _take_in(memory: Cell, sides: str, cells: dict[str, Cell], readers: dict[Bit, list[tuple[str, str]]]) -> bool:
+    parameters, connections = memory["parameters"], memory["connections"]
+    if any(parameters[f"REGMODE_{side}"] != "NOREG" for side in sides):
+        return False
+    read = {
+        port: (side, readers[bits[0]])
+        for side in sides
+        for port, bits in connections.items()
+        if port.startswith(f"DO{side}") and bits and readers.get(bits[0])
+    }
+    plain = (len(r) == 1 and _is_plain(cells.get(r[0][0]), memory, sides, r[0][1]) for _, r in read.values())
+    if not read or not all(plain):
+        return False
+    for port, (_, ((register, _),)) in read.items():
+        connections[port] = cells.pop(register)["connections"]["Q"]
+    for side in sides:
+        parameters[f"REGMODE_{side}"] = "OUTREG"
+        connections[f"OCE{side}"] = ["1"]
+    return True
+
+
+def _is_plain(reader: Cell | None, memory: Cell, sides: str, port: str) -> bool:
     """Whether a cell that reads an output is a register as the RAM has one."""
     if reader is None or reader["type"] != "TRELLIS_FF" or port not in ("DI", "M"):
         return False
     connections, parameters = reader["connections"], reader["parameters"]
     return bool(
-        connections["CLK"] == memory["connections"][f"CLK{side}"]
+        all(connections["CLK"] == memory["connections"][f"CLK{side}"] for side in sides)
         and parameters["CLKMUX"] == "CLK"
         and parameters["CEMUX"].strip() == "1"
         and connections.get("LSR", ["0"]) == ["0"]
