@@ -129,8 +129,9 @@ struct Config : Image, Matching, Structure {
          return "the disparity range lies outside the image";
       if (first_cost_column() < window_px / 2) return "the disparity range must exceed the window's radius";
       if (row_groups() <= delay_groups()) return "the image must be higher than the rows that a window waits for";
-      if (sign_memory && (aggregation != Aggregation::direct || cost != Cost::sad || cost_clocks != 3 || width_px < 8))
-         return "a sign memory needs direct SAD sums in 3 clocks and images of at least 8 columns";
+      if (sign_memory && (aggregation != Aggregation::direct || cost != Cost::sad || cost_clocks != 3 || width_px < 8 ||
+                          texture_threshold > 0))
+         return "a sign memory needs direct SAD sums in 3 clocks, images of at least 8 columns, and no texture check";
       if (has_transform() && row_groups() <= transform_groups())
          return "the image must be higher than the rows that a transform waits for";
       if (median && row_groups() <= 1) return "the image must be higher than the row that a median waits for";

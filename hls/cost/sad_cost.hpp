@@ -21,7 +21,8 @@ namespace stereo {
 /// itself, which takes no more than the complement would.
 ///
 /// With C.remembers_signs() it is known from the row before which of two pixels is larger, for all but the newest rows:
-/// those are subtracted the right way round at once and need neither complement nor carry.
+/// those are subtracted the right way round at once and need neither complement nor carry. The newest rows then count 0
+/// here, not earlier, when they are outside the frame: their signs are those of the next one.
 template <const auto& C, int Count>
 struct SadCost {
    static constexpr int kClocks = C.cost_clocks;
@@ -30,7 +31,8 @@ struct SadCost {
    static constexpr int kPairs = (kTaps - 1) / 2;
    static constexpr int kKnown = C.remembers_signs() ? kTaps - kPixels : 0;  ///< taps whose signs are known
 
-   int16_t difference[kTaps][Count];  ///< search - reference, -255 ... 255; its magnitude where the sign is known
+   int16_t difference[kTaps][Count];      ///< search - reference, -255 ... 255; its magnitude where the sign is known
+   bool newest_negative[kPixels][Count];  ///< of the newest taps, inside the frame or not
    PixelTag difference_tag;
    uint16_t pair[kPairs + 1][Count];  ///< |d| + |d| of taps 2j+1 and 2j+2, less 1 where `negative`
    bool negative[kPairs + 1][Count];
@@ -45,6 +47,7 @@ struct SadCost {
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
       visit("difference", difference);
+      if constexpr (C.remembers_signs()) visit("newest_negative", newest_negative);
       visit("difference_tag", difference_tag);
       visit("pair", pair);
       visit("negative", negative);
@@ -118,6 +121,11 @@ struct SadCost {
             const int16_t d =
                 int16_t(select<Feature<C>>(turned, reference, search) - select<Feature<C>>(turned, search, reference));
             difference[t][i] = t < kKnown ? int16_t(uint8_t(d)) : d;
+            if constexpr (C.remembers_signs())
+               if (t >= kKnown) {
+                  difference[t][i] = select<int16_t>((shift.tag.newest_inside >> (t - kKnown) & 1) != 0, d, 0);
+                  newest_negative[t - kKnown][i] = d < 0;
+               }
          }
       }
       difference_tag = shift.tag;

@@ -8,8 +8,9 @@
 namespace stereo {
 
 /// Remembers for a row which pixel of each pair is the larger one: a pair comes as one of the newest P taps and returns
-/// P taps higher with the next group of rows. Memory: W x (B-1) x Count bits. Pixels of a frame's rows come back as
-/// they were; above its first row both are 0 and any sign is right.
+/// P taps higher with the next group of rows. Memory: W x (B-1) x Count bits. Pixels come back as they were, also those
+/// of the next frame's first rows, which come while windows of the frame before still leave. Rows outside the frame are
+/// 0 in both images when they come back, and any sign is right.
 template <const auto& C, int Count>
 struct SignMemory {
    static constexpr int kPixels = C.pixels_per_clock;
@@ -79,8 +80,8 @@ struct SignMemory {
          typename Pack::Lane lanes[Count];
          HLS_UNROLL
          for (int i = 0; i < Count; ++i)
-            lanes[i] =
-                from < kKnown ? tap_lane(known_words, from < kKnown ? from : 0, i) : cost.difference[from][i] < 0;
+            lanes[i] = from < kKnown ? tap_lane(known_words, from < kKnown ? from : 0, i)
+                                     : cost.newest_negative[from < kKnown ? 0 : from - kKnown][i];
          Word packed[kWords];
          Pack::pack(lanes, packed);
          HLS_UNROLL

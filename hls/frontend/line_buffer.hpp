@@ -39,8 +39,9 @@ struct LineBuffer {
    Place ready;  // clock 2
    uint16_t write_column;
    // clock 3
-   Feature<C> search[kTaps], reference[kTaps];  ///< [t]: top row first; 0 in both images where the row is outside the
-                                                ///< frame, so that their cost is 0
+   /// [t]: top row first; 0 in both images where the row is outside the frame, so that their cost is 0. Where signs are
+   /// remembered, the newest rows come as they are: they may be the first ones of the next frame, whose signs count.
+   Feature<C> search[kTaps], reference[kTaps];
    bool inside[kTaps];
    PixelTag tag;
 
@@ -66,8 +67,9 @@ struct LineBuffer {
    HLS_INLINE void clock(const PairDelay<C>& in) {
       HLS_UNROLL
       for (int t = 0; t < kTaps; ++t) {
-         search[t] = select<Feature<C>>(ready.inside[t], search_rows.row(C.tap_row(t)), 0);
-         reference[t] = select<Feature<C>>(ready.inside[t], reference_rows.row(C.tap_row(t)), 0);
+         const bool shown = ready.inside[t] || (C.remembers_signs() && t >= kTaps - kPixels);
+         search[t] = select<Feature<C>>(shown, search_rows.row(C.tap_row(t)), 0);
+         reference[t] = select<Feature<C>>(shown, reference_rows.row(C.tap_row(t)), 0);
          inside[t] = ready.inside[t];
       }
       tag = ready.tag;

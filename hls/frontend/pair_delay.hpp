@@ -61,8 +61,7 @@ struct PairDelay {
       for (int p = 0; p < kPixels; ++p) ahead[p] = kDelaysReference ? in.search[p] : in.reference[p];
       column = raster.place.column;
       HLS_UNROLL
-      for (int t = 0; t < kTaps; ++t)
-         row_inside[t] = raster.place.group >= first_group(t) && raster.place.group <= last_group(t);
+      for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(raster.place.group, t);
       tag_place(raster);
    }
 
@@ -74,6 +73,8 @@ struct PairDelay {
    static constexpr int last_group(int t) { return (C.height_px - 1 + C.stored_rows() - C.tap_row(t)) / kPixels; }
 
   private:
+   static HLS_INLINE bool is_inside(uint16_t group, int t) { return group >= first_group(t) && group <= last_group(t); }
+
    static constexpr int kFirstCost = C.first_cost_column();
    static constexpr int kFirstMap = C.first_map_column();
    static constexpr int kLastMap = kFirstMap + C.output_width_px() - 1;
@@ -84,6 +85,10 @@ struct PairDelay {
       tag.valid = raster.features.valid;
       tag.row_start = column_now == 0;
       tag.first_group = group == 0;
+      tag.newest_inside = 0;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p)
+         tag.newest_inside = uint8_t(tag.newest_inside | uint8_t(is_inside(group, kTaps - kPixels + p)) << p);
       tag.border_column = column_now < kFirstCost;
       tag.first_cost = column_now == kFirstCost;
       tag.leaves_window = column_now >= kFirstCost + C.window_px ||

@@ -10,6 +10,7 @@ struct PixelTag {
    bool valid = false;           ///< pixel pairs, not a bubble: blocks with history move only then
    bool row_start = false;       ///< column 0 of the image that is ahead
    bool first_group = false;     ///< the first rows of a frame come in
+   uint8_t newest_inside = 0;    ///< bit p: tap p of the newest P is a row of the frame whose windows are summed
    bool border_column = false;   ///< no cost column is complete: its costs count 0
    bool first_cost = false;      ///< the first cost column of a row
    bool leaves_window = false;   ///< a cost column of the same row leaves the window that this column enters
@@ -24,6 +25,7 @@ struct PixelTag {
       visit("valid", valid);
       visit("row_start", row_start);
       visit("first_group", first_group);
+      visit("newest_inside", newest_inside);
       visit("border_column", border_column);
       visit("first_cost", first_cost);
       visit("leaves_window", leaves_window);

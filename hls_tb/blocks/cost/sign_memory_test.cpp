@@ -70,7 +70,7 @@ TYPED_TEST(SignMemoryTest, SumsAreThoseOfTheAbsoluteDifferences) {
                   sums[std::size_t(p * kCount + i)] += std::abs(shift.reference[t] - shift.search[t][i]);
          }
       }
-      shift.tag = PixelTag{.valid = place.valid};
+      shift.tag = PixelTag{.valid = place.valid, .newest_inside = 15};
       cost.clock(shift, uint16_t(n + 2 < places.size() ? places[n + 2].column : 0));
       pipeline.push_back(sums);
       const std::vector<int> expected = pipeline.front();
