@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration opencv_bm: 450x375, 64 disparities, window 15x15, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration opencv_bm: 450x375, 64 disparities, window 15x15, 1 pixel pair a clock.
 -- Options: window_px 15, reference left, prefilter xsobel, ties largest, uniqueness_percent 15,
 --   texture_threshold 10, subpixel true, aggregation recursive, slice_disparities 16.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_opencv_bm is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
     output_width_px : positive := 386;
-    latency_clocks : positive := 38;
+    latency_clocks : positive := 41;
     flush_groups : positive := 3608;
     gap_groups : positive := 3150
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_opencv_bm: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_opencv_bm: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 386 report "stereo_core_opencv_bm: output_width_px is " & integer'image(output_width_px) & " but this core has 386" severity failure;
-  assert latency_clocks = 38 report "stereo_core_opencv_bm: latency_clocks is " & integer'image(latency_clocks) & " but this core has 38" severity failure;
+  assert latency_clocks = 41 report "stereo_core_opencv_bm: latency_clocks is " & integer'image(latency_clocks) & " but this core has 41" severity failure;
   assert flush_groups = 3608 report "stereo_core_opencv_bm: flush_groups is " & integer'image(flush_groups) & " but this core has 3608" severity failure;
   assert gap_groups = 3150 report "stereo_core_opencv_bm: gap_groups is " & integer'image(gap_groups) & " but this core has 3150" severity failure;
 end entity;
 
 architecture rtl of stereo_core_opencv_bm is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_opencv_bm is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -105,9 +103,11 @@ architecture rtl of stereo_core_opencv_bm is
   signal transform_ready_row_inside_2, transform_ready_column_inside_0, transform_ready_column_inside_2 : boolean;
   signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
   signal transform_columns_row_inside_2, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_left_filter_whole : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
   signal transform_ready_column, transform_write_column : natural range 0 to 511;
   signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
@@ -116,61 +116,57 @@ architecture rtl of stereo_core_opencv_bm is
   signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 1020;
   signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 1020;
   signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 1020;
-  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 63;
+  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -1020 to 1020;
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 127;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 63;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 127;
+  signal raster_features_valid : boolean;
   signal raster_place_column, raster_place_group : natural range 0 to 511;
   -- delay
-  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 63;
+  signal delay_ahead_0, delay_delayed_0 : natural range 0 to 127;
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
+  signal delay_row_inside_0, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
   signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
   signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(27 downto 0);
   signal rows_search_rows_read_words_2, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(27 downto 0);
-  signal rows_search_rows_read_words_3, rows_reference_rows_read_words_3 : unsigned(19 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 63;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_1 : natural range 0 to 63;
-  signal rows_reference_1 : natural range 0 to 63;
+  signal rows_search_rows_read_words_3, rows_reference_rows_read_words_3 : unsigned(20 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 127;
+  signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 127;
   signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 268435455;
   signal rows_search_rows_ready_words_2, rows_search_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_search_rows_write_words_1, rows_search_rows_write_words_2 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_2, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : natural range 0 to 268435455;
-  signal rows_search_rows_ready_words_3, rows_reference_rows_ready_words_3 : natural range 0 to 1048575;
-  signal rows_search_rows_write_words_3, rows_reference_rows_write_words_3 : natural range 0 to 1040383;
+  signal rows_search_rows_ready_words_3, rows_search_rows_write_words_3 : natural range 0 to 2097151;
+  signal rows_reference_rows_ready_words_3, rows_reference_rows_write_words_3 : natural range 0 to 2097151;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
-  signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
-  signal rows_read_tag_leaves_window, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_row_start, rows_ready_tag_first_group, rows_ready_tag_border_column : boolean;
-  signal rows_ready_tag_first_cost, rows_ready_tag_leaves_window, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_0, rows_inside_1 : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
-  signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
-  signal rows_search_0, rows_reference_0 : natural range 0 to 127;
+  signal rows_read_inside_0, rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_leaves_window : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid, rows_ready_tag_row_start : boolean;
+  signal rows_ready_tag_first_group, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
+  signal rows_ready_tag_leaves_window, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_inside_0, rows_tag_valid, rows_tag_row_start, rows_tag_first_group : boolean;
+  signal rows_tag_border_column, rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column : boolean;
+  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
   signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 127;
   signal slice0shift_search_0_6, slice0shift_search_0_7, slice0shift_search_0_8 : natural range 0 to 127;
   signal slice0shift_search_0_9, slice0shift_search_0_10, slice0shift_search_0_11 : natural range 0 to 127;
   signal slice0shift_search_0_12, slice0shift_search_0_13, slice0shift_search_0_14 : natural range 0 to 127;
-  signal slice0shift_search_0_15, slice0shift_reference_0, slice0shift_search_out_0 : natural range 0 to 127;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 63;
-  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_1_5 : natural range 0 to 63;
-  signal slice0shift_search_1_6, slice0shift_search_1_7, slice0shift_search_1_8 : natural range 0 to 63;
-  signal slice0shift_search_1_9, slice0shift_search_1_10, slice0shift_search_1_11 : natural range 0 to 63;
-  signal slice0shift_search_1_12, slice0shift_search_1_13, slice0shift_search_1_14 : natural range 0 to 63;
-  signal slice0shift_search_1_15, slice0shift_reference_1, slice0shift_search_out_1 : natural range 0 to 63;
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_search_0_15, slice0shift_search_1_0, slice0shift_search_1_1 : natural range 0 to 127;
+  signal slice0shift_search_1_2, slice0shift_search_1_3, slice0shift_search_1_4 : natural range 0 to 127;
+  signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 127;
+  signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 127;
+  signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 127;
+  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_search_out_0 : natural range 0 to 127;
+  signal slice0shift_search_out_1 : natural range 0 to 127;
   -- slice0cost
   signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1 : integer range -127 to 127;
   signal slice0cost_pixels_first_0_2, slice0cost_pixels_first_0_3 : integer range -127 to 127;
@@ -180,52 +176,34 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_pixels_first_0_10, slice0cost_pixels_first_0_11 : integer range -127 to 127;
   signal slice0cost_pixels_first_0_12, slice0cost_pixels_first_0_13 : integer range -127 to 127;
   signal slice0cost_pixels_first_0_14, slice0cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_2, slice0cost_pixels_first_1_3 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_6, slice0cost_pixels_first_1_7 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_8, slice0cost_pixels_first_1_9 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_10, slice0cost_pixels_first_1_11 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_12, slice0cost_pixels_first_1_13 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_14, slice0cost_pixels_first_1_15 : integer range -63 to 63;
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_row_start, slice0cost_pixels_tag_first_group : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_leaves_window, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid : boolean;
-  signal slice0cost_ready_tag_row_start, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
-  signal slice0cost_ready_tag_first_cost, slice0cost_ready_tag_leaves_window : boolean;
-  signal slice0cost_ready_tag_output_column, slice0cost_ready_tag_start_of_frame : boolean;
-  signal slice0cost_ready_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_first_group : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_leaves_window : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_2, slice0cost_pixels_first_1_3 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_6, slice0cost_pixels_first_1_7 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_8, slice0cost_pixels_first_1_9 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_10, slice0cost_pixels_first_1_11 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_12, slice0cost_pixels_first_1_13 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_14, slice0cost_pixels_first_1_15 : integer range -127 to 127;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 128;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 128;
   signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_0_8 : natural range 0 to 128;
   signal slice0cost_pixels_cost_0_9, slice0cost_pixels_cost_0_10, slice0cost_pixels_cost_0_11 : natural range 0 to 128;
   signal slice0cost_pixels_cost_0_12, slice0cost_pixels_cost_0_13, slice0cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_0_15 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 64;
-  signal slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5 : natural range 0 to 64;
-  signal slice0cost_pixels_cost_1_6, slice0cost_pixels_cost_1_7, slice0cost_pixels_cost_1_8 : natural range 0 to 64;
-  signal slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10, slice0cost_pixels_cost_1_11 : natural range 0 to 64;
-  signal slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13, slice0cost_pixels_cost_1_14 : natural range 0 to 64;
-  signal slice0cost_pixels_cost_1_15 : natural range 0 to 64;
-  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
-  signal slice0cost_write_column : natural range 0 to 511;
+  signal slice0cost_pixels_cost_0_15, slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1 : natural range 0 to 128;
+  signal slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4 : natural range 0 to 128;
+  signal slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6, slice0cost_pixels_cost_1_7 : natural range 0 to 128;
+  signal slice0cost_pixels_cost_1_8, slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10 : natural range 0 to 128;
+  signal slice0cost_pixels_cost_1_11, slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13 : natural range 0 to 128;
+  signal slice0cost_pixels_cost_1_14, slice0cost_pixels_cost_1_15 : natural range 0 to 128;
   signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(29 downto 0);
   signal slice0cost_read_words_3, slice0cost_read_words_4 : unsigned(29 downto 0);
   signal slice0cost_read_words_5 : unsigned(9 downto 0);
-  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -128 to 64;
-  signal slice0cost_change_0_3, slice0cost_change_0_4, slice0cost_change_0_5 : integer range -128 to 64;
-  signal slice0cost_change_0_6, slice0cost_change_0_7, slice0cost_change_0_8 : integer range -128 to 64;
-  signal slice0cost_change_0_9, slice0cost_change_0_10, slice0cost_change_0_11 : integer range -128 to 64;
-  signal slice0cost_change_0_12, slice0cost_change_0_13, slice0cost_change_0_14 : integer range -128 to 64;
-  signal slice0cost_change_0_15 : integer range -128 to 64;
+  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -128 to 128;
+  signal slice0cost_change_0_3, slice0cost_change_0_4, slice0cost_change_0_5 : integer range -128 to 128;
+  signal slice0cost_change_0_6, slice0cost_change_0_7, slice0cost_change_0_8 : integer range -128 to 128;
+  signal slice0cost_change_0_9, slice0cost_change_0_10, slice0cost_change_0_11 : integer range -128 to 128;
+  signal slice0cost_change_0_12, slice0cost_change_0_13, slice0cost_change_0_14 : integer range -128 to 128;
+  signal slice0cost_change_0_15 : integer range -128 to 128;
   signal slice0cost_ready_words_0, slice0cost_ready_words_1, slice0cost_ready_words_2 : natural range 0 to 1073741823;
   signal slice0cost_ready_words_3, slice0cost_ready_words_4, slice0cost_write_words_0 : natural range 0 to 1073741823;
   signal slice0cost_write_words_1, slice0cost_write_words_2, slice0cost_write_words_3 : natural range 0 to 1073741823;
@@ -236,8 +214,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_column_0_8, slice0cost_column_0_9, slice0cost_column_0_10 : natural range 0 to 1023;
   signal slice0cost_column_0_11, slice0cost_column_0_12, slice0cost_column_0_13 : natural range 0 to 1023;
   signal slice0cost_column_0_14, slice0cost_column_0_15, slice0cost_write_words_5 : natural range 0 to 1023;
+  signal slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
   -- slice0window
-  signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
   signal slice0window_leaving_0, slice0window_leaving_1, slice0window_leaving_2 : unsigned(29 downto 0);
   signal slice0window_leaving_3, slice0window_leaving_4 : unsigned(29 downto 0);
   signal slice0window_leaving_5 : unsigned(9 downto 0);
@@ -247,17 +225,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0window_entering_0_9, slice0window_entering_0_10, slice0window_entering_0_11 : natural range 0 to 1023;
   signal slice0window_entering_0_12, slice0window_entering_0_13, slice0window_entering_0_14 : natural range 0 to 1023;
   signal slice0window_entering_0_15 : natural range 0 to 1023;
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_group : boolean;
-  signal slice0window_entering_tag_border_column, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
-  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_group : boolean;
-  signal slice0window_change_tag_border_column, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
-  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
-  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_start_of_frame_2 : boolean;
-  signal slice0window_centre_start_of_frame_3, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_entering_tag_leaves_window, slice0window_change_tag_valid : boolean;
+  signal slice0window_change_tag_first_cost : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -1023 to 1023;
   signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -1023 to 1023;
   signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -1023 to 1023;
@@ -287,19 +256,21 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner1_best_first_0_2, slice0winner1_best_first_0_3 : natural range 0 to 16383;
   signal slice0winner1_best_first_0_4, slice0winner1_best_first_0_5 : natural range 0 to 16383;
   signal slice0winner1_best_first_0_6, slice0winner1_best_first_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_0, slice0winner1_best_last_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_2, slice0winner1_best_last_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_4, slice0winner1_best_last_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_6, slice0winner1_best_last_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_second_0_0, slice0winner1_best_but_first_0_1 : natural range 0 to 16383;
+  signal slice0winner1_best_last_0_1, slice0winner1_best_last_0_2 : natural range 0 to 16383;
+  signal slice0winner1_best_last_0_3, slice0winner1_best_last_0_4 : natural range 0 to 16383;
+  signal slice0winner1_best_last_0_5, slice0winner1_best_last_0_6 : natural range 0 to 16383;
+  signal slice0winner1_best_last_0_7, slice0winner1_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_1, slice0winner1_best_late_cost_0_2 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_3, slice0winner1_best_late_cost_0_4 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_5, slice0winner1_best_late_cost_0_6 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_7, slice0winner1_best_but_first_0_1 : natural range 0 to 16383;
   signal slice0winner1_best_but_first_0_2, slice0winner1_best_but_first_0_3 : natural range 0 to 16383;
   signal slice0winner1_best_but_first_0_4, slice0winner1_best_but_first_0_5 : natural range 0 to 16383;
   signal slice0winner1_best_but_first_0_6, slice0winner1_best_but_first_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_1, slice0winner1_best_but_last_0_2 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_3, slice0winner1_best_but_last_0_4 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_5, slice0winner1_best_but_last_0_6 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_best_but_last_0_0, slice0winner1_best_but_last_0_1 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_2, slice0winner1_best_but_last_0_3 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_4, slice0winner1_best_but_last_0_5 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_6, slice0winner1_best_but_last_0_7 : natural range 0 to 16383;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
   signal slice0winner1_best_index_0_2 : natural range 0 to 5;
   signal slice0winner1_best_index_0_3 : natural range 0 to 7;
@@ -317,7 +288,9 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner2_best_first_0_1, slice0winner2_best_first_0_2 : natural range 0 to 16383;
   signal slice0winner2_best_first_0_3, slice0winner2_best_last_0_0 : natural range 0 to 16383;
   signal slice0winner2_best_last_0_1, slice0winner2_best_last_0_2 : natural range 0 to 16383;
-  signal slice0winner2_best_last_0_3, slice0winner2_best_second_0_0 : natural range 0 to 16383;
+  signal slice0winner2_best_last_0_3, slice0winner2_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice0winner2_best_late_cost_0_1, slice0winner2_best_late_cost_0_2 : natural range 0 to 16383;
+  signal slice0winner2_best_late_cost_0_3, slice0winner2_best_second_0_0 : natural range 0 to 16383;
   signal slice0winner2_best_second_0_1, slice0winner2_best_second_0_2 : natural range 0 to 16383;
   signal slice0winner2_best_second_0_3, slice0winner2_best_but_first_0_1 : natural range 0 to 16383;
   signal slice0winner2_best_but_first_0_2, slice0winner2_best_but_first_0_3 : natural range 0 to 16383;
@@ -327,46 +300,47 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_best_index_0_2 : natural range 0 to 11;
   signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_place_0_0, slice0winner2_best_place_0_1, slice0winner2_best_place_0_2 : boolean;
+  signal slice0winner2_best_place_0_3, slice0winner2_best_at_start_0_0, slice0winner2_best_at_start_0_1 : boolean;
+  signal slice0winner2_best_at_start_0_2, slice0winner2_best_at_start_0_3, slice0winner2_best_at_end_0_0 : boolean;
+  signal slice0winner2_best_at_end_0_1, slice0winner2_best_at_end_0_2, slice0winner2_best_at_end_0_3 : boolean;
   -- slice0winner3
   signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 16383;
   signal slice0winner3_best_below_0_0, slice0winner3_best_below_0_1 : natural range 0 to 16383;
   signal slice0winner3_best_above_0_0, slice0winner3_best_above_0_1 : natural range 0 to 16383;
   signal slice0winner3_best_first_0_1, slice0winner3_best_last_0_0 : natural range 0 to 16383;
-  signal slice0winner3_best_last_0_1, slice0winner3_best_second_0_0 : natural range 0 to 16383;
+  signal slice0winner3_best_last_0_1, slice0winner3_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice0winner3_best_late_cost_0_1, slice0winner3_best_second_0_0 : natural range 0 to 16383;
   signal slice0winner3_best_second_0_1, slice0winner3_best_but_first_0_1 : natural range 0 to 16383;
   signal slice0winner3_best_but_last_0_0, slice0winner3_best_but_last_0_1 : natural range 0 to 16383;
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_place_0_0, slice0winner3_best_place_0_1, slice0winner3_best_at_start_0_0 : boolean;
+  signal slice0winner3_best_at_start_0_1, slice0winner3_best_at_end_0_0, slice0winner3_best_at_end_0_1 : boolean;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice0winner4_best_above_0_0, slice0winner4_best_last_0_0 : natural range 0 to 16383;
-  signal slice0winner4_best_second_0_0, slice0winner4_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice0winner4_best_late_cost_0_0, slice0winner4_best_second_0_0 : natural range 0 to 16383;
+  signal slice0winner4_best_but_last_0_0 : natural range 0 to 16383;
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_best_place_0_0, slice0winner4_best_at_start_0_0, slice0winner4_best_at_end_0_0 : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 16383;
-  signal slice0_best_last_0_0, slice0_best_second_0_0, slice0_best_but_last_0_0 : natural range 0 to 16383;
   signal slice0_best_index_0_0 : natural range 0 to 15;
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_below_0_0, slice0_best_above_0_0, slice0_best_last_0_0 : natural range 0 to 16383;
+  signal slice0_best_late_cost_0_0, slice0_best_second_0_0, slice0_best_but_last_0_0 : natural range 0 to 16383;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
   signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 127;
   signal slice1shift_search_0_6, slice1shift_search_0_7, slice1shift_search_0_8 : natural range 0 to 127;
   signal slice1shift_search_0_9, slice1shift_search_0_10, slice1shift_search_0_11 : natural range 0 to 127;
   signal slice1shift_search_0_12, slice1shift_search_0_13, slice1shift_search_0_14 : natural range 0 to 127;
-  signal slice1shift_search_0_15, slice1shift_reference_0, slice1shift_search_out_0 : natural range 0 to 127;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 63;
-  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_1_5 : natural range 0 to 63;
-  signal slice1shift_search_1_6, slice1shift_search_1_7, slice1shift_search_1_8 : natural range 0 to 63;
-  signal slice1shift_search_1_9, slice1shift_search_1_10, slice1shift_search_1_11 : natural range 0 to 63;
-  signal slice1shift_search_1_12, slice1shift_search_1_13, slice1shift_search_1_14 : natural range 0 to 63;
-  signal slice1shift_search_1_15, slice1shift_reference_1, slice1shift_search_out_1 : natural range 0 to 63;
+  signal slice1shift_search_0_15, slice1shift_search_1_0, slice1shift_search_1_1 : natural range 0 to 127;
+  signal slice1shift_search_1_2, slice1shift_search_1_3, slice1shift_search_1_4 : natural range 0 to 127;
+  signal slice1shift_search_1_5, slice1shift_search_1_6, slice1shift_search_1_7 : natural range 0 to 127;
+  signal slice1shift_search_1_8, slice1shift_search_1_9, slice1shift_search_1_10 : natural range 0 to 127;
+  signal slice1shift_search_1_11, slice1shift_search_1_12, slice1shift_search_1_13 : natural range 0 to 127;
+  signal slice1shift_search_1_14, slice1shift_search_1_15, slice1shift_reference_0 : natural range 0 to 127;
+  signal slice1shift_reference_1, slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 127;
   -- slice1cost
   signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1 : integer range -127 to 127;
   signal slice1cost_pixels_first_0_2, slice1cost_pixels_first_0_3 : integer range -127 to 127;
@@ -376,37 +350,34 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1cost_pixels_first_0_10, slice1cost_pixels_first_0_11 : integer range -127 to 127;
   signal slice1cost_pixels_first_0_12, slice1cost_pixels_first_0_13 : integer range -127 to 127;
   signal slice1cost_pixels_first_0_14, slice1cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_2, slice1cost_pixels_first_1_3 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_6, slice1cost_pixels_first_1_7 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_8, slice1cost_pixels_first_1_9 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_10, slice1cost_pixels_first_1_11 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_12, slice1cost_pixels_first_1_13 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_14, slice1cost_pixels_first_1_15 : integer range -63 to 63;
+  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_2, slice1cost_pixels_first_1_3 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_6, slice1cost_pixels_first_1_7 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_8, slice1cost_pixels_first_1_9 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_10, slice1cost_pixels_first_1_11 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_12, slice1cost_pixels_first_1_13 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_14, slice1cost_pixels_first_1_15 : integer range -127 to 127;
   signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 128;
   signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 128;
   signal slice1cost_pixels_cost_0_6, slice1cost_pixels_cost_0_7, slice1cost_pixels_cost_0_8 : natural range 0 to 128;
   signal slice1cost_pixels_cost_0_9, slice1cost_pixels_cost_0_10, slice1cost_pixels_cost_0_11 : natural range 0 to 128;
   signal slice1cost_pixels_cost_0_12, slice1cost_pixels_cost_0_13, slice1cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_0_15 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 64;
-  signal slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5 : natural range 0 to 64;
-  signal slice1cost_pixels_cost_1_6, slice1cost_pixels_cost_1_7, slice1cost_pixels_cost_1_8 : natural range 0 to 64;
-  signal slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10, slice1cost_pixels_cost_1_11 : natural range 0 to 64;
-  signal slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13, slice1cost_pixels_cost_1_14 : natural range 0 to 64;
-  signal slice1cost_pixels_cost_1_15 : natural range 0 to 64;
-  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
-  signal slice1cost_write_column : natural range 0 to 511;
+  signal slice1cost_pixels_cost_0_15, slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1 : natural range 0 to 128;
+  signal slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4 : natural range 0 to 128;
+  signal slice1cost_pixels_cost_1_5, slice1cost_pixels_cost_1_6, slice1cost_pixels_cost_1_7 : natural range 0 to 128;
+  signal slice1cost_pixels_cost_1_8, slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10 : natural range 0 to 128;
+  signal slice1cost_pixels_cost_1_11, slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13 : natural range 0 to 128;
+  signal slice1cost_pixels_cost_1_14, slice1cost_pixels_cost_1_15 : natural range 0 to 128;
   signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(29 downto 0);
   signal slice1cost_read_words_3, slice1cost_read_words_4 : unsigned(29 downto 0);
   signal slice1cost_read_words_5 : unsigned(9 downto 0);
-  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -128 to 64;
-  signal slice1cost_change_0_3, slice1cost_change_0_4, slice1cost_change_0_5 : integer range -128 to 64;
-  signal slice1cost_change_0_6, slice1cost_change_0_7, slice1cost_change_0_8 : integer range -128 to 64;
-  signal slice1cost_change_0_9, slice1cost_change_0_10, slice1cost_change_0_11 : integer range -128 to 64;
-  signal slice1cost_change_0_12, slice1cost_change_0_13, slice1cost_change_0_14 : integer range -128 to 64;
-  signal slice1cost_change_0_15 : integer range -128 to 64;
+  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -128 to 128;
+  signal slice1cost_change_0_3, slice1cost_change_0_4, slice1cost_change_0_5 : integer range -128 to 128;
+  signal slice1cost_change_0_6, slice1cost_change_0_7, slice1cost_change_0_8 : integer range -128 to 128;
+  signal slice1cost_change_0_9, slice1cost_change_0_10, slice1cost_change_0_11 : integer range -128 to 128;
+  signal slice1cost_change_0_12, slice1cost_change_0_13, slice1cost_change_0_14 : integer range -128 to 128;
+  signal slice1cost_change_0_15 : integer range -128 to 128;
   signal slice1cost_ready_words_0, slice1cost_ready_words_1, slice1cost_ready_words_2 : natural range 0 to 1073741823;
   signal slice1cost_ready_words_3, slice1cost_ready_words_4, slice1cost_write_words_0 : natural range 0 to 1073741823;
   signal slice1cost_write_words_1, slice1cost_write_words_2, slice1cost_write_words_3 : natural range 0 to 1073741823;
@@ -417,6 +388,7 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1cost_column_0_8, slice1cost_column_0_9, slice1cost_column_0_10 : natural range 0 to 1023;
   signal slice1cost_column_0_11, slice1cost_column_0_12, slice1cost_column_0_13 : natural range 0 to 1023;
   signal slice1cost_column_0_14, slice1cost_column_0_15, slice1cost_write_words_5 : natural range 0 to 1023;
+  signal slice1cost_ready_tag_valid, slice1cost_ready_tag_first_group, slice1cost_ready_tag_border_column : boolean;
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 15;
   signal slice1window_leaving_0, slice1window_leaving_1, slice1window_leaving_2 : unsigned(29 downto 0);
@@ -428,15 +400,14 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1window_entering_0_9, slice1window_entering_0_10, slice1window_entering_0_11 : natural range 0 to 1023;
   signal slice1window_entering_0_12, slice1window_entering_0_13, slice1window_entering_0_14 : natural range 0 to 1023;
   signal slice1window_entering_0_15 : natural range 0 to 1023;
+  signal slice1window_entering_tag_leaves_window, slice1window_change_tag_valid : boolean;
+  signal slice1window_change_tag_first_cost : boolean;
   signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -1023 to 1023;
   signal slice1window_change_0_3, slice1window_change_0_4, slice1window_change_0_5 : integer range -1023 to 1023;
   signal slice1window_change_0_6, slice1window_change_0_7, slice1window_change_0_8 : integer range -1023 to 1023;
   signal slice1window_change_0_9, slice1window_change_0_10, slice1window_change_0_11 : integer range -1023 to 1023;
   signal slice1window_change_0_12, slice1window_change_0_13, slice1window_change_0_14 : integer range -1023 to 1023;
   signal slice1window_change_0_15 : integer range -1023 to 1023;
-  signal slice1window_change_tag_first_cost, slice1window_change_tag_leaves_window : boolean;
-  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_3 : boolean;
-  signal slice1window_centre_start_of_frame_5, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 16383;
   signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 16383;
   signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 16383;
@@ -464,6 +435,10 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner1_best_last_0_2, slice1winner1_best_last_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_last_0_4, slice1winner1_best_last_0_5 : natural range 0 to 16383;
   signal slice1winner1_best_last_0_6, slice1winner1_best_last_0_7 : natural range 0 to 16383;
+  signal slice1winner1_best_late_cost_0_0, slice1winner1_best_late_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner1_best_late_cost_0_2, slice1winner1_best_late_cost_0_3 : natural range 0 to 16383;
+  signal slice1winner1_best_late_cost_0_4, slice1winner1_best_late_cost_0_5 : natural range 0 to 16383;
+  signal slice1winner1_best_late_cost_0_6, slice1winner1_best_late_cost_0_7 : natural range 0 to 16383;
   signal slice1winner1_best_but_first_0_0, slice1winner1_best_but_first_0_1 : natural range 0 to 16383;
   signal slice1winner1_best_but_first_0_2, slice1winner1_best_but_first_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_but_first_0_4, slice1winner1_best_but_first_0_5 : natural range 0 to 16383;
@@ -472,7 +447,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner1_best_but_last_0_2, slice1winner1_best_but_last_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_but_last_0_4, slice1winner1_best_but_last_0_5 : natural range 0 to 16383;
   signal slice1winner1_best_but_last_0_6, slice1winner1_best_but_last_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
   signal slice1winner1_best_index_0_3 : natural range 0 to 7;
@@ -491,6 +465,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner2_best_first_0_2, slice1winner2_best_first_0_3 : natural range 0 to 16383;
   signal slice1winner2_best_last_0_0, slice1winner2_best_last_0_1 : natural range 0 to 16383;
   signal slice1winner2_best_last_0_2, slice1winner2_best_last_0_3 : natural range 0 to 16383;
+  signal slice1winner2_best_late_cost_0_0, slice1winner2_best_late_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner2_best_late_cost_0_2, slice1winner2_best_late_cost_0_3 : natural range 0 to 16383;
   signal slice1winner2_best_second_0_0, slice1winner2_best_second_0_1 : natural range 0 to 16383;
   signal slice1winner2_best_second_0_2, slice1winner2_best_second_0_3 : natural range 0 to 16383;
   signal slice1winner2_best_but_first_0_0, slice1winner2_best_but_first_0_1 : natural range 0 to 16383;
@@ -501,42 +477,51 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner2_best_index_0_1 : natural range 0 to 7;
   signal slice1winner2_best_index_0_2 : natural range 0 to 11;
   signal slice1winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner2_best_place_0_0, slice1winner2_best_place_0_1, slice1winner2_best_place_0_2 : boolean;
+  signal slice1winner2_best_place_0_3, slice1winner2_best_at_start_0_0, slice1winner2_best_at_start_0_1 : boolean;
+  signal slice1winner2_best_at_start_0_2, slice1winner2_best_at_start_0_3, slice1winner2_best_at_end_0_0 : boolean;
+  signal slice1winner2_best_at_end_0_1, slice1winner2_best_at_end_0_2, slice1winner2_best_at_end_0_3 : boolean;
   -- slice1winner3
   signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_below_0_0, slice1winner3_best_below_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_above_0_0, slice1winner3_best_above_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_first_0_0, slice1winner3_best_first_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_last_0_0, slice1winner3_best_last_0_1 : natural range 0 to 16383;
+  signal slice1winner3_best_late_cost_0_0, slice1winner3_best_late_cost_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_second_0_0, slice1winner3_best_second_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_but_first_0_0, slice1winner3_best_but_first_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_but_last_0_0, slice1winner3_best_but_last_0_1 : natural range 0 to 16383;
   signal slice1winner3_best_index_0_0 : natural range 0 to 7;
   signal slice1winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice1winner3_best_place_0_0, slice1winner3_best_place_0_1, slice1winner3_best_at_start_0_0 : boolean;
+  signal slice1winner3_best_at_start_0_1, slice1winner3_best_at_end_0_0, slice1winner3_best_at_end_0_1 : boolean;
   -- slice1winner4
   signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice1winner4_best_above_0_0, slice1winner4_best_first_0_0 : natural range 0 to 16383;
-  signal slice1winner4_best_last_0_0, slice1winner4_best_second_0_0 : natural range 0 to 16383;
-  signal slice1winner4_best_but_first_0_0, slice1winner4_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice1winner4_best_last_0_0, slice1winner4_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice1winner4_best_second_0_0, slice1winner4_best_but_first_0_0 : natural range 0 to 16383;
+  signal slice1winner4_best_but_last_0_0 : natural range 0 to 16383;
   signal slice1winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice1winner4_best_place_0_0, slice1winner4_best_at_start_0_0, slice1winner4_best_at_end_0_0 : boolean;
   -- slice1
   signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 16383;
-  signal slice1_best_last_0_0, slice1_best_second_0_0, slice1_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice1_best_last_0_0, slice1_best_late_cost_0_0, slice1_best_second_0_0 : natural range 0 to 16383;
+  signal slice1_best_but_last_0_0 : natural range 0 to 16383;
   signal slice1_best_index_0_0 : natural range 0 to 31;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0 : boolean;
   -- slice2shift
   signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 127;
   signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 127;
   signal slice2shift_search_0_6, slice2shift_search_0_7, slice2shift_search_0_8 : natural range 0 to 127;
   signal slice2shift_search_0_9, slice2shift_search_0_10, slice2shift_search_0_11 : natural range 0 to 127;
   signal slice2shift_search_0_12, slice2shift_search_0_13, slice2shift_search_0_14 : natural range 0 to 127;
-  signal slice2shift_search_0_15, slice2shift_reference_0, slice2shift_search_out_0 : natural range 0 to 127;
-  signal slice2shift_search_1_0, slice2shift_search_1_1, slice2shift_search_1_2 : natural range 0 to 63;
-  signal slice2shift_search_1_3, slice2shift_search_1_4, slice2shift_search_1_5 : natural range 0 to 63;
-  signal slice2shift_search_1_6, slice2shift_search_1_7, slice2shift_search_1_8 : natural range 0 to 63;
-  signal slice2shift_search_1_9, slice2shift_search_1_10, slice2shift_search_1_11 : natural range 0 to 63;
-  signal slice2shift_search_1_12, slice2shift_search_1_13, slice2shift_search_1_14 : natural range 0 to 63;
-  signal slice2shift_search_1_15, slice2shift_reference_1, slice2shift_search_out_1 : natural range 0 to 63;
+  signal slice2shift_search_0_15, slice2shift_search_1_0, slice2shift_search_1_1 : natural range 0 to 127;
+  signal slice2shift_search_1_2, slice2shift_search_1_3, slice2shift_search_1_4 : natural range 0 to 127;
+  signal slice2shift_search_1_5, slice2shift_search_1_6, slice2shift_search_1_7 : natural range 0 to 127;
+  signal slice2shift_search_1_8, slice2shift_search_1_9, slice2shift_search_1_10 : natural range 0 to 127;
+  signal slice2shift_search_1_11, slice2shift_search_1_12, slice2shift_search_1_13 : natural range 0 to 127;
+  signal slice2shift_search_1_14, slice2shift_search_1_15, slice2shift_reference_0 : natural range 0 to 127;
+  signal slice2shift_reference_1, slice2shift_search_out_0, slice2shift_search_out_1 : natural range 0 to 127;
   -- slice2cost
   signal slice2cost_pixels_first_0_0, slice2cost_pixels_first_0_1 : integer range -127 to 127;
   signal slice2cost_pixels_first_0_2, slice2cost_pixels_first_0_3 : integer range -127 to 127;
@@ -546,37 +531,34 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2cost_pixels_first_0_10, slice2cost_pixels_first_0_11 : integer range -127 to 127;
   signal slice2cost_pixels_first_0_12, slice2cost_pixels_first_0_13 : integer range -127 to 127;
   signal slice2cost_pixels_first_0_14, slice2cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_0, slice2cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_2, slice2cost_pixels_first_1_3 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_4, slice2cost_pixels_first_1_5 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_6, slice2cost_pixels_first_1_7 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_8, slice2cost_pixels_first_1_9 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_10, slice2cost_pixels_first_1_11 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_12, slice2cost_pixels_first_1_13 : integer range -63 to 63;
-  signal slice2cost_pixels_first_1_14, slice2cost_pixels_first_1_15 : integer range -63 to 63;
+  signal slice2cost_pixels_first_1_0, slice2cost_pixels_first_1_1 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_2, slice2cost_pixels_first_1_3 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_4, slice2cost_pixels_first_1_5 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_6, slice2cost_pixels_first_1_7 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_8, slice2cost_pixels_first_1_9 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_10, slice2cost_pixels_first_1_11 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_12, slice2cost_pixels_first_1_13 : integer range -127 to 127;
+  signal slice2cost_pixels_first_1_14, slice2cost_pixels_first_1_15 : integer range -127 to 127;
   signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_0_2 : natural range 0 to 128;
   signal slice2cost_pixels_cost_0_3, slice2cost_pixels_cost_0_4, slice2cost_pixels_cost_0_5 : natural range 0 to 128;
   signal slice2cost_pixels_cost_0_6, slice2cost_pixels_cost_0_7, slice2cost_pixels_cost_0_8 : natural range 0 to 128;
   signal slice2cost_pixels_cost_0_9, slice2cost_pixels_cost_0_10, slice2cost_pixels_cost_0_11 : natural range 0 to 128;
   signal slice2cost_pixels_cost_0_12, slice2cost_pixels_cost_0_13, slice2cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_0_15 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_0, slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_1_2 : natural range 0 to 64;
-  signal slice2cost_pixels_cost_1_3, slice2cost_pixels_cost_1_4, slice2cost_pixels_cost_1_5 : natural range 0 to 64;
-  signal slice2cost_pixels_cost_1_6, slice2cost_pixels_cost_1_7, slice2cost_pixels_cost_1_8 : natural range 0 to 64;
-  signal slice2cost_pixels_cost_1_9, slice2cost_pixels_cost_1_10, slice2cost_pixels_cost_1_11 : natural range 0 to 64;
-  signal slice2cost_pixels_cost_1_12, slice2cost_pixels_cost_1_13, slice2cost_pixels_cost_1_14 : natural range 0 to 64;
-  signal slice2cost_pixels_cost_1_15 : natural range 0 to 64;
-  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
-  signal slice2cost_write_column : natural range 0 to 511;
+  signal slice2cost_pixels_cost_0_15, slice2cost_pixels_cost_1_0, slice2cost_pixels_cost_1_1 : natural range 0 to 128;
+  signal slice2cost_pixels_cost_1_2, slice2cost_pixels_cost_1_3, slice2cost_pixels_cost_1_4 : natural range 0 to 128;
+  signal slice2cost_pixels_cost_1_5, slice2cost_pixels_cost_1_6, slice2cost_pixels_cost_1_7 : natural range 0 to 128;
+  signal slice2cost_pixels_cost_1_8, slice2cost_pixels_cost_1_9, slice2cost_pixels_cost_1_10 : natural range 0 to 128;
+  signal slice2cost_pixels_cost_1_11, slice2cost_pixels_cost_1_12, slice2cost_pixels_cost_1_13 : natural range 0 to 128;
+  signal slice2cost_pixels_cost_1_14, slice2cost_pixels_cost_1_15 : natural range 0 to 128;
   signal slice2cost_read_words_0, slice2cost_read_words_1, slice2cost_read_words_2 : unsigned(29 downto 0);
   signal slice2cost_read_words_3, slice2cost_read_words_4 : unsigned(29 downto 0);
   signal slice2cost_read_words_5 : unsigned(9 downto 0);
-  signal slice2cost_change_0_0, slice2cost_change_0_1, slice2cost_change_0_2 : integer range -128 to 64;
-  signal slice2cost_change_0_3, slice2cost_change_0_4, slice2cost_change_0_5 : integer range -128 to 64;
-  signal slice2cost_change_0_6, slice2cost_change_0_7, slice2cost_change_0_8 : integer range -128 to 64;
-  signal slice2cost_change_0_9, slice2cost_change_0_10, slice2cost_change_0_11 : integer range -128 to 64;
-  signal slice2cost_change_0_12, slice2cost_change_0_13, slice2cost_change_0_14 : integer range -128 to 64;
-  signal slice2cost_change_0_15 : integer range -128 to 64;
+  signal slice2cost_change_0_0, slice2cost_change_0_1, slice2cost_change_0_2 : integer range -128 to 128;
+  signal slice2cost_change_0_3, slice2cost_change_0_4, slice2cost_change_0_5 : integer range -128 to 128;
+  signal slice2cost_change_0_6, slice2cost_change_0_7, slice2cost_change_0_8 : integer range -128 to 128;
+  signal slice2cost_change_0_9, slice2cost_change_0_10, slice2cost_change_0_11 : integer range -128 to 128;
+  signal slice2cost_change_0_12, slice2cost_change_0_13, slice2cost_change_0_14 : integer range -128 to 128;
+  signal slice2cost_change_0_15 : integer range -128 to 128;
   signal slice2cost_ready_words_0, slice2cost_ready_words_1, slice2cost_ready_words_2 : natural range 0 to 1073741823;
   signal slice2cost_ready_words_3, slice2cost_ready_words_4, slice2cost_write_words_0 : natural range 0 to 1073741823;
   signal slice2cost_write_words_1, slice2cost_write_words_2, slice2cost_write_words_3 : natural range 0 to 1073741823;
@@ -587,6 +569,7 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2cost_column_0_8, slice2cost_column_0_9, slice2cost_column_0_10 : natural range 0 to 1023;
   signal slice2cost_column_0_11, slice2cost_column_0_12, slice2cost_column_0_13 : natural range 0 to 1023;
   signal slice2cost_column_0_14, slice2cost_column_0_15, slice2cost_write_words_5 : natural range 0 to 1023;
+  signal slice2cost_ready_tag_valid, slice2cost_ready_tag_first_group, slice2cost_ready_tag_border_column : boolean;
   -- slice2window
   signal slice2window_ring_read_address, slice2window_ring_write_address : natural range 0 to 15;
   signal slice2window_leaving_0, slice2window_leaving_1, slice2window_leaving_2 : unsigned(29 downto 0);
@@ -598,15 +581,14 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2window_entering_0_9, slice2window_entering_0_10, slice2window_entering_0_11 : natural range 0 to 1023;
   signal slice2window_entering_0_12, slice2window_entering_0_13, slice2window_entering_0_14 : natural range 0 to 1023;
   signal slice2window_entering_0_15 : natural range 0 to 1023;
+  signal slice2window_entering_tag_leaves_window, slice2window_change_tag_valid : boolean;
+  signal slice2window_change_tag_first_cost : boolean;
   signal slice2window_change_0_0, slice2window_change_0_1, slice2window_change_0_2 : integer range -1023 to 1023;
   signal slice2window_change_0_3, slice2window_change_0_4, slice2window_change_0_5 : integer range -1023 to 1023;
   signal slice2window_change_0_6, slice2window_change_0_7, slice2window_change_0_8 : integer range -1023 to 1023;
   signal slice2window_change_0_9, slice2window_change_0_10, slice2window_change_0_11 : integer range -1023 to 1023;
   signal slice2window_change_0_12, slice2window_change_0_13, slice2window_change_0_14 : integer range -1023 to 1023;
   signal slice2window_change_0_15 : integer range -1023 to 1023;
-  signal slice2window_change_tag_first_cost, slice2window_change_tag_leaves_window : boolean;
-  signal slice2window_centre_output_column_0, slice2window_centre_start_of_frame_3 : boolean;
-  signal slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 16383;
   signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 16383;
   signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 16383;
@@ -634,6 +616,10 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner1_best_last_0_2, slice2winner1_best_last_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_last_0_4, slice2winner1_best_last_0_5 : natural range 0 to 16383;
   signal slice2winner1_best_last_0_6, slice2winner1_best_last_0_7 : natural range 0 to 16383;
+  signal slice2winner1_best_late_cost_0_0, slice2winner1_best_late_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner1_best_late_cost_0_2, slice2winner1_best_late_cost_0_3 : natural range 0 to 16383;
+  signal slice2winner1_best_late_cost_0_4, slice2winner1_best_late_cost_0_5 : natural range 0 to 16383;
+  signal slice2winner1_best_late_cost_0_6, slice2winner1_best_late_cost_0_7 : natural range 0 to 16383;
   signal slice2winner1_best_but_first_0_0, slice2winner1_best_but_first_0_1 : natural range 0 to 16383;
   signal slice2winner1_best_but_first_0_2, slice2winner1_best_but_first_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_but_first_0_4, slice2winner1_best_but_first_0_5 : natural range 0 to 16383;
@@ -642,7 +628,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner1_best_but_last_0_2, slice2winner1_best_but_last_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_but_last_0_4, slice2winner1_best_but_last_0_5 : natural range 0 to 16383;
   signal slice2winner1_best_but_last_0_6, slice2winner1_best_but_last_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_index_0_0 : boolean;
   signal slice2winner1_best_index_0_1 : natural range 0 to 3;
   signal slice2winner1_best_index_0_2 : natural range 0 to 5;
   signal slice2winner1_best_index_0_3 : natural range 0 to 7;
@@ -661,6 +646,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner2_best_first_0_2, slice2winner2_best_first_0_3 : natural range 0 to 16383;
   signal slice2winner2_best_last_0_0, slice2winner2_best_last_0_1 : natural range 0 to 16383;
   signal slice2winner2_best_last_0_2, slice2winner2_best_last_0_3 : natural range 0 to 16383;
+  signal slice2winner2_best_late_cost_0_0, slice2winner2_best_late_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner2_best_late_cost_0_2, slice2winner2_best_late_cost_0_3 : natural range 0 to 16383;
   signal slice2winner2_best_second_0_0, slice2winner2_best_second_0_1 : natural range 0 to 16383;
   signal slice2winner2_best_second_0_2, slice2winner2_best_second_0_3 : natural range 0 to 16383;
   signal slice2winner2_best_but_first_0_0, slice2winner2_best_but_first_0_1 : natural range 0 to 16383;
@@ -671,42 +658,51 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner2_best_index_0_1 : natural range 0 to 7;
   signal slice2winner2_best_index_0_2 : natural range 0 to 11;
   signal slice2winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice2winner2_best_place_0_0, slice2winner2_best_place_0_1, slice2winner2_best_place_0_2 : boolean;
+  signal slice2winner2_best_place_0_3, slice2winner2_best_at_start_0_0, slice2winner2_best_at_start_0_1 : boolean;
+  signal slice2winner2_best_at_start_0_2, slice2winner2_best_at_start_0_3, slice2winner2_best_at_end_0_0 : boolean;
+  signal slice2winner2_best_at_end_0_1, slice2winner2_best_at_end_0_2, slice2winner2_best_at_end_0_3 : boolean;
   -- slice2winner3
   signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_below_0_0, slice2winner3_best_below_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_above_0_0, slice2winner3_best_above_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_first_0_0, slice2winner3_best_first_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_last_0_0, slice2winner3_best_last_0_1 : natural range 0 to 16383;
+  signal slice2winner3_best_late_cost_0_0, slice2winner3_best_late_cost_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_second_0_0, slice2winner3_best_second_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_but_first_0_0, slice2winner3_best_but_first_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_but_last_0_0, slice2winner3_best_but_last_0_1 : natural range 0 to 16383;
   signal slice2winner3_best_index_0_0 : natural range 0 to 7;
   signal slice2winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice2winner3_best_place_0_0, slice2winner3_best_place_0_1, slice2winner3_best_at_start_0_0 : boolean;
+  signal slice2winner3_best_at_start_0_1, slice2winner3_best_at_end_0_0, slice2winner3_best_at_end_0_1 : boolean;
   -- slice2winner4
   signal slice2winner4_best_cost_0_0, slice2winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice2winner4_best_above_0_0, slice2winner4_best_first_0_0 : natural range 0 to 16383;
-  signal slice2winner4_best_last_0_0, slice2winner4_best_second_0_0 : natural range 0 to 16383;
-  signal slice2winner4_best_but_first_0_0, slice2winner4_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice2winner4_best_last_0_0, slice2winner4_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice2winner4_best_second_0_0, slice2winner4_best_but_first_0_0 : natural range 0 to 16383;
+  signal slice2winner4_best_but_last_0_0 : natural range 0 to 16383;
   signal slice2winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice2winner4_best_place_0_0, slice2winner4_best_at_start_0_0, slice2winner4_best_at_end_0_0 : boolean;
   -- slice2
   signal slice2_best_cost_0_0, slice2_best_below_0_0, slice2_best_above_0_0 : natural range 0 to 16383;
-  signal slice2_best_last_0_0, slice2_best_second_0_0, slice2_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice2_best_last_0_0, slice2_best_late_cost_0_0, slice2_best_second_0_0 : natural range 0 to 16383;
+  signal slice2_best_but_last_0_0 : natural range 0 to 16383;
   signal slice2_best_index_0_0 : natural range 0 to 47;
-  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
+  signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0 : boolean;
   -- slice3shift
   signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 127;
   signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 127;
   signal slice3shift_search_0_6, slice3shift_search_0_7, slice3shift_search_0_8 : natural range 0 to 127;
   signal slice3shift_search_0_9, slice3shift_search_0_10, slice3shift_search_0_11 : natural range 0 to 127;
   signal slice3shift_search_0_12, slice3shift_search_0_13, slice3shift_search_0_14 : natural range 0 to 127;
-  signal slice3shift_search_0_15, slice3shift_reference_0 : natural range 0 to 127;
-  signal slice3shift_search_1_0, slice3shift_search_1_1, slice3shift_search_1_2 : natural range 0 to 63;
-  signal slice3shift_search_1_3, slice3shift_search_1_4, slice3shift_search_1_5 : natural range 0 to 63;
-  signal slice3shift_search_1_6, slice3shift_search_1_7, slice3shift_search_1_8 : natural range 0 to 63;
-  signal slice3shift_search_1_9, slice3shift_search_1_10, slice3shift_search_1_11 : natural range 0 to 63;
-  signal slice3shift_search_1_12, slice3shift_search_1_13, slice3shift_search_1_14 : natural range 0 to 63;
-  signal slice3shift_search_1_15, slice3shift_reference_1 : natural range 0 to 63;
+  signal slice3shift_search_0_15, slice3shift_search_1_0, slice3shift_search_1_1 : natural range 0 to 127;
+  signal slice3shift_search_1_2, slice3shift_search_1_3, slice3shift_search_1_4 : natural range 0 to 127;
+  signal slice3shift_search_1_5, slice3shift_search_1_6, slice3shift_search_1_7 : natural range 0 to 127;
+  signal slice3shift_search_1_8, slice3shift_search_1_9, slice3shift_search_1_10 : natural range 0 to 127;
+  signal slice3shift_search_1_11, slice3shift_search_1_12, slice3shift_search_1_13 : natural range 0 to 127;
+  signal slice3shift_search_1_14, slice3shift_search_1_15, slice3shift_reference_0 : natural range 0 to 127;
+  signal slice3shift_reference_1 : natural range 0 to 127;
   -- slice3cost
   signal slice3cost_pixels_first_0_0, slice3cost_pixels_first_0_1 : integer range -127 to 127;
   signal slice3cost_pixels_first_0_2, slice3cost_pixels_first_0_3 : integer range -127 to 127;
@@ -716,37 +712,34 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3cost_pixels_first_0_10, slice3cost_pixels_first_0_11 : integer range -127 to 127;
   signal slice3cost_pixels_first_0_12, slice3cost_pixels_first_0_13 : integer range -127 to 127;
   signal slice3cost_pixels_first_0_14, slice3cost_pixels_first_0_15 : integer range -127 to 127;
-  signal slice3cost_pixels_first_1_0, slice3cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_2, slice3cost_pixels_first_1_3 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_4, slice3cost_pixels_first_1_5 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_6, slice3cost_pixels_first_1_7 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_8, slice3cost_pixels_first_1_9 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_10, slice3cost_pixels_first_1_11 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_12, slice3cost_pixels_first_1_13 : integer range -63 to 63;
-  signal slice3cost_pixels_first_1_14, slice3cost_pixels_first_1_15 : integer range -63 to 63;
+  signal slice3cost_pixels_first_1_0, slice3cost_pixels_first_1_1 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_2, slice3cost_pixels_first_1_3 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_4, slice3cost_pixels_first_1_5 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_6, slice3cost_pixels_first_1_7 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_8, slice3cost_pixels_first_1_9 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_10, slice3cost_pixels_first_1_11 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_12, slice3cost_pixels_first_1_13 : integer range -127 to 127;
+  signal slice3cost_pixels_first_1_14, slice3cost_pixels_first_1_15 : integer range -127 to 127;
   signal slice3cost_pixels_cost_0_0, slice3cost_pixels_cost_0_1, slice3cost_pixels_cost_0_2 : natural range 0 to 128;
   signal slice3cost_pixels_cost_0_3, slice3cost_pixels_cost_0_4, slice3cost_pixels_cost_0_5 : natural range 0 to 128;
   signal slice3cost_pixels_cost_0_6, slice3cost_pixels_cost_0_7, slice3cost_pixels_cost_0_8 : natural range 0 to 128;
   signal slice3cost_pixels_cost_0_9, slice3cost_pixels_cost_0_10, slice3cost_pixels_cost_0_11 : natural range 0 to 128;
   signal slice3cost_pixels_cost_0_12, slice3cost_pixels_cost_0_13, slice3cost_pixels_cost_0_14 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_0_15 : natural range 0 to 128;
-  signal slice3cost_pixels_cost_1_0, slice3cost_pixels_cost_1_1, slice3cost_pixels_cost_1_2 : natural range 0 to 64;
-  signal slice3cost_pixels_cost_1_3, slice3cost_pixels_cost_1_4, slice3cost_pixels_cost_1_5 : natural range 0 to 64;
-  signal slice3cost_pixels_cost_1_6, slice3cost_pixels_cost_1_7, slice3cost_pixels_cost_1_8 : natural range 0 to 64;
-  signal slice3cost_pixels_cost_1_9, slice3cost_pixels_cost_1_10, slice3cost_pixels_cost_1_11 : natural range 0 to 64;
-  signal slice3cost_pixels_cost_1_12, slice3cost_pixels_cost_1_13, slice3cost_pixels_cost_1_14 : natural range 0 to 64;
-  signal slice3cost_pixels_cost_1_15 : natural range 0 to 64;
-  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column : natural range 0 to 511;
-  signal slice3cost_write_column : natural range 0 to 511;
+  signal slice3cost_pixels_cost_0_15, slice3cost_pixels_cost_1_0, slice3cost_pixels_cost_1_1 : natural range 0 to 128;
+  signal slice3cost_pixels_cost_1_2, slice3cost_pixels_cost_1_3, slice3cost_pixels_cost_1_4 : natural range 0 to 128;
+  signal slice3cost_pixels_cost_1_5, slice3cost_pixels_cost_1_6, slice3cost_pixels_cost_1_7 : natural range 0 to 128;
+  signal slice3cost_pixels_cost_1_8, slice3cost_pixels_cost_1_9, slice3cost_pixels_cost_1_10 : natural range 0 to 128;
+  signal slice3cost_pixels_cost_1_11, slice3cost_pixels_cost_1_12, slice3cost_pixels_cost_1_13 : natural range 0 to 128;
+  signal slice3cost_pixels_cost_1_14, slice3cost_pixels_cost_1_15 : natural range 0 to 128;
   signal slice3cost_read_words_0, slice3cost_read_words_1, slice3cost_read_words_2 : unsigned(29 downto 0);
   signal slice3cost_read_words_3, slice3cost_read_words_4 : unsigned(29 downto 0);
   signal slice3cost_read_words_5 : unsigned(9 downto 0);
-  signal slice3cost_change_0_0, slice3cost_change_0_1, slice3cost_change_0_2 : integer range -128 to 64;
-  signal slice3cost_change_0_3, slice3cost_change_0_4, slice3cost_change_0_5 : integer range -128 to 64;
-  signal slice3cost_change_0_6, slice3cost_change_0_7, slice3cost_change_0_8 : integer range -128 to 64;
-  signal slice3cost_change_0_9, slice3cost_change_0_10, slice3cost_change_0_11 : integer range -128 to 64;
-  signal slice3cost_change_0_12, slice3cost_change_0_13, slice3cost_change_0_14 : integer range -128 to 64;
-  signal slice3cost_change_0_15 : integer range -128 to 64;
+  signal slice3cost_change_0_0, slice3cost_change_0_1, slice3cost_change_0_2 : integer range -128 to 128;
+  signal slice3cost_change_0_3, slice3cost_change_0_4, slice3cost_change_0_5 : integer range -128 to 128;
+  signal slice3cost_change_0_6, slice3cost_change_0_7, slice3cost_change_0_8 : integer range -128 to 128;
+  signal slice3cost_change_0_9, slice3cost_change_0_10, slice3cost_change_0_11 : integer range -128 to 128;
+  signal slice3cost_change_0_12, slice3cost_change_0_13, slice3cost_change_0_14 : integer range -128 to 128;
+  signal slice3cost_change_0_15 : integer range -128 to 128;
   signal slice3cost_ready_words_0, slice3cost_ready_words_1, slice3cost_ready_words_2 : natural range 0 to 1073741823;
   signal slice3cost_ready_words_3, slice3cost_ready_words_4, slice3cost_write_words_0 : natural range 0 to 1073741823;
   signal slice3cost_write_words_1, slice3cost_write_words_2, slice3cost_write_words_3 : natural range 0 to 1073741823;
@@ -757,6 +750,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3cost_column_0_8, slice3cost_column_0_9, slice3cost_column_0_10 : natural range 0 to 1023;
   signal slice3cost_column_0_11, slice3cost_column_0_12, slice3cost_column_0_13 : natural range 0 to 1023;
   signal slice3cost_column_0_14, slice3cost_column_0_15, slice3cost_write_words_5 : natural range 0 to 1023;
+  signal slice3cost_ready_column, slice3cost_write_column : natural range 0 to 511;
+  signal slice3cost_ready_tag_first_group, slice3cost_ready_tag_border_column : boolean;
   -- slice3window
   signal slice3window_ring_read_address, slice3window_ring_write_address : natural range 0 to 15;
   signal slice3window_leaving_0, slice3window_leaving_1, slice3window_leaving_2 : unsigned(29 downto 0);
@@ -768,20 +763,25 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3window_entering_0_9, slice3window_entering_0_10, slice3window_entering_0_11 : natural range 0 to 1023;
   signal slice3window_entering_0_12, slice3window_entering_0_13, slice3window_entering_0_14 : natural range 0 to 1023;
   signal slice3window_entering_0_15 : natural range 0 to 1023;
+  signal slice3window_entering_tag_leaves_window, slice3window_change_tag_valid : boolean;
+  signal slice3window_change_tag_first_cost, slice3window_change_tag_output_column : boolean;
+  signal slice3window_change_tag_end_of_line, slice3window_centre_output_column_0 : boolean;
+  signal slice3window_centre_output_column_1, slice3window_centre_output_column_2 : boolean;
+  signal slice3window_centre_output_column_3, slice3window_centre_output_column_4 : boolean;
+  signal slice3window_centre_output_column_5, slice3window_centre_output_column_6 : boolean;
+  signal slice3window_centre_start_of_frame_0, slice3window_centre_start_of_frame_1 : boolean;
+  signal slice3window_centre_start_of_frame_2, slice3window_centre_start_of_frame_4 : boolean;
+  signal slice3window_centre_start_of_frame_5, slice3window_centre_start_of_frame_6 : boolean;
+  signal slice3window_centre_end_of_line_0, slice3window_centre_end_of_line_1 : boolean;
+  signal slice3window_centre_end_of_line_2, slice3window_centre_end_of_line_3 : boolean;
+  signal slice3window_centre_end_of_line_4, slice3window_centre_end_of_line_5 : boolean;
+  signal slice3window_centre_end_of_line_6 : boolean;
   signal slice3window_change_0_0, slice3window_change_0_1, slice3window_change_0_2 : integer range -1023 to 1023;
   signal slice3window_change_0_3, slice3window_change_0_4, slice3window_change_0_5 : integer range -1023 to 1023;
   signal slice3window_change_0_6, slice3window_change_0_7, slice3window_change_0_8 : integer range -1023 to 1023;
   signal slice3window_change_0_9, slice3window_change_0_10, slice3window_change_0_11 : integer range -1023 to 1023;
   signal slice3window_change_0_12, slice3window_change_0_13, slice3window_change_0_14 : integer range -1023 to 1023;
   signal slice3window_change_0_15 : integer range -1023 to 1023;
-  signal slice3window_change_tag_first_cost, slice3window_centre_output_column_0 : boolean;
-  signal slice3window_centre_output_column_1, slice3window_centre_output_column_2 : boolean;
-  signal slice3window_centre_output_column_3, slice3window_centre_output_column_4 : boolean;
-  signal slice3window_centre_output_column_5, slice3window_centre_start_of_frame_3 : boolean;
-  signal slice3window_centre_start_of_frame_5, slice3window_centre_end_of_line_0 : boolean;
-  signal slice3window_centre_end_of_line_1, slice3window_centre_end_of_line_2 : boolean;
-  signal slice3window_centre_end_of_line_3, slice3window_centre_end_of_line_4 : boolean;
-  signal slice3window_centre_end_of_line_5 : boolean;
   signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 16383;
   signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 16383;
   signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 16383;
@@ -804,19 +804,22 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner1_best_first_0_0, slice3winner1_best_first_0_1 : natural range 0 to 16383;
   signal slice3winner1_best_first_0_2, slice3winner1_best_first_0_3 : natural range 0 to 16383;
   signal slice3winner1_best_first_0_4, slice3winner1_best_first_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_first_0_6, slice3winner1_best_first_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_0, slice3winner1_best_last_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_2, slice3winner1_best_last_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_4, slice3winner1_best_last_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_6, slice3winner1_best_last_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_0, slice3winner1_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_2, slice3winner1_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_4, slice3winner1_best_but_first_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_6, slice3winner1_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice3winner1_best_first_0_6, slice3winner1_best_last_0_0 : natural range 0 to 16383;
+  signal slice3winner1_best_last_0_1, slice3winner1_best_last_0_2 : natural range 0 to 16383;
+  signal slice3winner1_best_last_0_3, slice3winner1_best_last_0_4 : natural range 0 to 16383;
+  signal slice3winner1_best_last_0_5, slice3winner1_best_last_0_6 : natural range 0 to 16383;
+  signal slice3winner1_best_last_0_7, slice3winner1_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_1, slice3winner1_best_late_cost_0_2 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_3, slice3winner1_best_late_cost_0_4 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_5, slice3winner1_best_late_cost_0_6 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_7, slice3winner1_best_but_first_0_0 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_1, slice3winner1_best_but_first_0_2 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_3, slice3winner1_best_but_first_0_4 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_5, slice3winner1_best_but_first_0_6 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_7, slice3winner1_best_but_last_0_0 : natural range 0 to 16383;
   signal slice3winner1_best_but_last_0_1, slice3winner1_best_but_last_0_2 : natural range 0 to 16383;
   signal slice3winner1_best_but_last_0_3, slice3winner1_best_but_last_0_4 : natural range 0 to 16383;
   signal slice3winner1_best_but_last_0_5, slice3winner1_best_but_last_0_6 : natural range 0 to 16383;
-  signal slice3winner1_best_index_0_0 : boolean;
   signal slice3winner1_best_index_0_1 : natural range 0 to 3;
   signal slice3winner1_best_index_0_2 : natural range 0 to 5;
   signal slice3winner1_best_index_0_3 : natural range 0 to 7;
@@ -834,7 +837,9 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner2_best_first_0_0, slice3winner2_best_first_0_1 : natural range 0 to 16383;
   signal slice3winner2_best_first_0_2, slice3winner2_best_first_0_3 : natural range 0 to 16383;
   signal slice3winner2_best_last_0_0, slice3winner2_best_last_0_1 : natural range 0 to 16383;
-  signal slice3winner2_best_last_0_2, slice3winner2_best_second_0_0 : natural range 0 to 16383;
+  signal slice3winner2_best_last_0_2, slice3winner2_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice3winner2_best_late_cost_0_1, slice3winner2_best_late_cost_0_2 : natural range 0 to 16383;
+  signal slice3winner2_best_late_cost_0_3, slice3winner2_best_second_0_0 : natural range 0 to 16383;
   signal slice3winner2_best_second_0_1, slice3winner2_best_second_0_2 : natural range 0 to 16383;
   signal slice3winner2_best_second_0_3, slice3winner2_best_but_first_0_0 : natural range 0 to 16383;
   signal slice3winner2_best_but_first_0_1, slice3winner2_best_but_first_0_2 : natural range 0 to 16383;
@@ -844,38 +849,45 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner2_best_index_0_1 : natural range 0 to 7;
   signal slice3winner2_best_index_0_2 : natural range 0 to 11;
   signal slice3winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice3winner2_best_place_0_0, slice3winner2_best_place_0_1, slice3winner2_best_place_0_2 : boolean;
+  signal slice3winner2_best_place_0_3, slice3winner2_best_at_start_0_0, slice3winner2_best_at_start_0_1 : boolean;
+  signal slice3winner2_best_at_start_0_2, slice3winner2_best_at_start_0_3, slice3winner2_best_at_end_0_0 : boolean;
+  signal slice3winner2_best_at_end_0_1, slice3winner2_best_at_end_0_2, slice3winner2_best_at_end_0_3 : boolean;
   -- slice3winner3
   signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 16383;
   signal slice3winner3_best_below_0_0, slice3winner3_best_below_0_1 : natural range 0 to 16383;
   signal slice3winner3_best_above_0_0, slice3winner3_best_above_0_1 : natural range 0 to 16383;
   signal slice3winner3_best_first_0_0, slice3winner3_best_first_0_1 : natural range 0 to 16383;
-  signal slice3winner3_best_last_0_0, slice3winner3_best_second_0_0 : natural range 0 to 16383;
+  signal slice3winner3_best_last_0_0, slice3winner3_best_late_cost_0_0 : natural range 0 to 16383;
+  signal slice3winner3_best_late_cost_0_1, slice3winner3_best_second_0_0 : natural range 0 to 16383;
   signal slice3winner3_best_second_0_1, slice3winner3_best_but_first_0_0 : natural range 0 to 16383;
   signal slice3winner3_best_but_first_0_1, slice3winner3_best_but_last_0_0 : natural range 0 to 16383;
   signal slice3winner3_best_index_0_0 : natural range 0 to 7;
   signal slice3winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice3winner3_best_place_0_0, slice3winner3_best_place_0_1, slice3winner3_best_at_start_0_0 : boolean;
+  signal slice3winner3_best_at_start_0_1, slice3winner3_best_at_end_0_0, slice3winner3_best_at_end_0_1 : boolean;
   -- slice3winner4
   signal slice3winner4_best_cost_0_0, slice3winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice3winner4_best_above_0_0, slice3winner4_best_first_0_0 : natural range 0 to 16383;
-  signal slice3winner4_best_second_0_0, slice3winner4_best_but_first_0_0 : natural range 0 to 16383;
+  signal slice3winner4_best_late_cost_0_0, slice3winner4_best_second_0_0 : natural range 0 to 16383;
+  signal slice3winner4_best_but_first_0_0 : natural range 0 to 16383;
   signal slice3winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice3winner4_best_place_0_0, slice3winner4_best_at_start_0_0, slice3winner4_best_at_end_0_0 : boolean;
   -- slice3
   signal slice3_best_cost_0_0, slice3_best_below_0_0, slice3_best_above_0_0 : natural range 0 to 16383;
   signal slice3_best_second_0_0 : natural range 0 to 16383;
   signal slice3_best_index_0_0 : natural range 0 to 63;
-  signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line : boolean;
+  signal slice3_best_place_0_0, slice3_best_at_start_0_0, slice3_best_at_end_0_0, slice3_best_tag_valid : boolean;
+  signal slice3_best_tag_output_column, slice3_best_tag_start_of_frame, slice3_best_tag_end_of_line : boolean;
   -- texture
   signal texture_taps_search_0_0, texture_taps_search_1_0 : natural range 0 to 31;
   signal texture_passes_0_0, texture_passes_1_0, texture_passes_2_0, texture_passes_3_0, texture_passes_4_0 : boolean;
   signal texture_passes_5_0, texture_passes_6_0, texture_passes_7_0 : boolean;
   -- texturecost
-  signal texturecost_pixels_first_0_0 : integer range -127 to 31;
-  signal texturecost_pixels_first_1_0 : integer range -63 to 31;
-  signal texturecost_pixels_cost_0_0 : natural range 0 to 127;
-  signal texturecost_pixels_cost_1_0 : natural range 0 to 63;
+  signal texturecost_pixels_first_0_0, texturecost_pixels_first_1_0 : integer range -127 to 31;
+  signal texturecost_pixels_cost_0_0, texturecost_pixels_cost_1_0 : natural range 0 to 127;
   signal texturecost_read_words_0 : unsigned(9 downto 0);
-  signal texturecost_change_0_0 : integer range -127 to 63;
+  signal texturecost_change_0_0 : integer range -127 to 127;
   signal texturecost_ready_words_0, texturecost_column_0_0, texturecost_write_words_0 : natural range 0 to 1023;
   -- texturewindow
   signal texturewindow_leaving_0 : unsigned(9 downto 0);
@@ -886,48 +898,66 @@ architecture rtl of stereo_core_opencv_bm is
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 63;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 63;
   signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 63;
-  signal refinement_disparity_9_0, refinement_quotient_6_0 : natural range 0 to 63;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 63;
   signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
   signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_passed_9_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
-  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
-  signal refinement_tag_1_output_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
-  signal refinement_tag_2_valid, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
-  signal refinement_tag_2_end_of_line, refinement_tag_3_valid, refinement_tag_3_output_column : boolean;
-  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
-  signal refinement_tag_4_output_column, refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line : boolean;
-  signal refinement_tag_5_valid, refinement_tag_5_output_column, refinement_tag_5_start_of_frame : boolean;
-  signal refinement_tag_5_end_of_line, refinement_tag_6_valid, refinement_tag_6_output_column : boolean;
-  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
-  signal refinement_tag_7_output_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
-  signal refinement_tag_8_valid, refinement_tag_8_output_column, refinement_tag_8_start_of_frame : boolean;
-  signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_output_column : boolean;
-  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_quotient_1_0 : boolean;
-  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
-  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
-  signal refinement_negative_8_0 : boolean;
-  signal refinement_cost_0, refinement_gap_0, refinement_remainder_0_0 : natural range 0 to 16383;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
+  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
+  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_output_column, refinement_tag_3_start_of_frame : boolean;
+  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_output_column : boolean;
+  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_output_column, refinement_tag_6_start_of_frame : boolean;
+  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_output_column : boolean;
+  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_output_column, refinement_tag_9_start_of_frame : boolean;
+  signal refinement_tag_9_end_of_line, refinement_tag_10_valid, refinement_tag_10_output_column : boolean;
+  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
+  signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
+  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
+  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_gap_0, refinement_lowest_0, refinement_cost_0, refinement_below_0 : natural range 0 to 16383;
+  signal refinement_above_0, refinement_u_0, refinement_v_0, refinement_remainder_0_0 : natural range 0 to 16383;
   signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 16383;
   signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 16383;
   signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 16383;
   signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 16383;
   signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 16383;
-  signal refinement_scaled_gap_0 : natural range 0 to 1638300;
-  signal refinement_scaled_cost_0 : natural range 0 to 245745;
-  signal refinement_quotient_2_0 : natural range 0 to 3;
-  signal refinement_quotient_3_0 : natural range 0 to 7;
-  signal refinement_quotient_4_0 : natural range 0 to 15;
-  signal refinement_quotient_5_0 : natural range 0 to 31;
-  signal refinement_quotient_7_0 : natural range 0 to 127;
+  signal refinement_scaled_gap_0 : natural range 0 to 327660;
+  signal refinement_scaled_cost_0 : natural range 0 to 49149;
+  signal refinement_difference_0 : integer range -16383 to 16383;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
   signal map_out_disparity_0 : natural range 0 to 65535;
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
-  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : boolean;
-  signal other_11, other_12, other_13, other_14, other_15 : boolean;
-  signal texturewindow_leaving_0_memory_write_data : unsigned(9 downto 0);
-  signal texturecost_read_words_0_memory_write_data : unsigned(9 downto 0);
+  signal other_0, other_1, other_3, other_15, other_16, other_17, other_111, other_112 : natural range 0 to 511;
+  signal other_113, other_114, other_119, other_120, other_121, other_122 : natural range 0 to 511;
+  signal other_2, other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11, other_12 : boolean;
+  signal other_13, other_14, other_18, other_19, other_20, other_21, other_22, other_23, other_25, other_26 : boolean;
+  signal other_27, other_28, other_29, other_30, other_31, other_32, other_33, other_34, other_35, other_36 : boolean;
+  signal other_37, other_38, other_39, other_40, other_41, other_42, other_43, other_44, other_45, other_46 : boolean;
+  signal other_47, other_48, other_49, other_50, other_51, other_52, other_53, other_54, other_55, other_56 : boolean;
+  signal other_57, other_58, other_59, other_60, other_61, other_62, other_63, other_64, other_65, other_66 : boolean;
+  signal other_67, other_68, other_69, other_70, other_71, other_72, other_73, other_74, other_75, other_76 : boolean;
+  signal other_77, other_78, other_79, other_80, other_81, other_82, other_83, other_84, other_85, other_86 : boolean;
+  signal other_87, other_88, other_89, other_90, other_91, other_92, other_93, other_94, other_95, other_96 : boolean;
+  signal other_97, other_98, other_99, other_100, other_101, other_118 : boolean;
+  signal other_24, other_117 : natural range 0 to 16383;
+  signal other_102 : natural range 0 to 254;
+  signal other_103 : natural range 0 to 252;
+  signal other_104 : natural range 0 to 248;
+  signal other_105 : natural range 0 to 240;
+  signal other_106 : natural range 0 to 224;
+  signal other_107 : natural range 0 to 192;
+  signal other_108 : natural range 0 to 128;
+  signal other_109, other_110 : natural range 0 to 15;
+  signal other_115, other_116 : natural range 0 to 127;
   signal slice3window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(29 downto 0);
@@ -976,16 +1006,18 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_read_words_2_memory_write_data : unsigned(29 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(29 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_data : unsigned(20 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(27 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(20 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(27 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(27 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal texturewindow_leaving_0_memory_write_data : unsigned(9 downto 0);
+  signal texturecost_read_words_0_memory_write_data : unsigned(9 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -997,22 +1029,6 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
-
-  texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 10);
-  texturewindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
-
-  texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 10);
-  texturecost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => texturecost_read_words_0_memory_write_data);
 
   slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_15, 10);
   slice3window_leaving_5_memory : entity work.line_memory
@@ -1067,7 +1083,7 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_5,
+      read_address => other_121, read_data => slice3cost_read_words_5,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_5_memory_write_data);
 
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 30);
@@ -1075,7 +1091,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_4,
+      read_address => other_121, read_data => slice3cost_read_words_4,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_4_memory_write_data);
 
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 30);
@@ -1083,7 +1099,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_3,
+      read_address => other_121, read_data => slice3cost_read_words_3,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_3_memory_write_data);
 
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 30);
@@ -1091,7 +1107,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_2,
+      read_address => other_121, read_data => slice3cost_read_words_2,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_2_memory_write_data);
 
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 30);
@@ -1099,7 +1115,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_1,
+      read_address => other_121, read_data => slice3cost_read_words_1,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_1_memory_write_data);
 
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 30);
@@ -1107,7 +1123,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_0,
+      read_address => other_121, read_data => slice3cost_read_words_0,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_0_memory_write_data);
 
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_15, 10);
@@ -1163,48 +1179,48 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_5,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_5_memory_write_data);
+      read_address => other_3, read_data => slice2cost_read_words_5,
+      write_address => other_119, write_data => slice2cost_read_words_5_memory_write_data);
 
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 30);
   slice2cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_4,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_4_memory_write_data);
+      read_address => other_3, read_data => slice2cost_read_words_4,
+      write_address => other_119, write_data => slice2cost_read_words_4_memory_write_data);
 
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 30);
   slice2cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_3,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_3_memory_write_data);
+      read_address => other_3, read_data => slice2cost_read_words_3,
+      write_address => other_119, write_data => slice2cost_read_words_3_memory_write_data);
 
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 30);
   slice2cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_2,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_2_memory_write_data);
+      read_address => other_3, read_data => slice2cost_read_words_2,
+      write_address => other_119, write_data => slice2cost_read_words_2_memory_write_data);
 
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 30);
   slice2cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_1,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_1_memory_write_data);
+      read_address => other_3, read_data => slice2cost_read_words_1,
+      write_address => other_119, write_data => slice2cost_read_words_1_memory_write_data);
 
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 30);
   slice2cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_0,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_0_memory_write_data);
+      read_address => other_3, read_data => slice2cost_read_words_0,
+      write_address => other_119, write_data => slice2cost_read_words_0_memory_write_data);
 
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_15, 10);
   slice1window_leaving_5_memory : entity work.line_memory
@@ -1259,148 +1275,148 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_5,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_5_memory_write_data);
+      read_address => other_17, read_data => slice1cost_read_words_5,
+      write_address => other_122, write_data => slice1cost_read_words_5_memory_write_data);
 
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 30);
   slice1cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_4,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_4_memory_write_data);
+      read_address => other_17, read_data => slice1cost_read_words_4,
+      write_address => other_122, write_data => slice1cost_read_words_4_memory_write_data);
 
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 30);
   slice1cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_3_memory_write_data);
+      read_address => other_17, read_data => slice1cost_read_words_3,
+      write_address => other_122, write_data => slice1cost_read_words_3_memory_write_data);
 
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 30);
   slice1cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_2_memory_write_data);
+      read_address => other_17, read_data => slice1cost_read_words_2,
+      write_address => other_122, write_data => slice1cost_read_words_2_memory_write_data);
 
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 30);
   slice1cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+      read_address => other_17, read_data => slice1cost_read_words_1,
+      write_address => other_122, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 30);
   slice1cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      read_address => other_17, read_data => slice1cost_read_words_0,
+      write_address => other_122, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_15, 10);
   slice0window_leaving_5_memory : entity work.line_memory
     generic map (depth => 16, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
+      read_address => other_110, read_data => slice0window_leaving_5,
+      write_address => other_109, write_data => slice0window_leaving_5_memory_write_data);
 
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_14, 10) & to_unsigned(slice0cost_column_0_13, 10) & to_unsigned(slice0cost_column_0_12, 10);
   slice0window_leaving_4_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
+      read_address => other_110, read_data => slice0window_leaving_4,
+      write_address => other_109, write_data => slice0window_leaving_4_memory_write_data);
 
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_11, 10) & to_unsigned(slice0cost_column_0_10, 10) & to_unsigned(slice0cost_column_0_9, 10);
   slice0window_leaving_3_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      read_address => other_110, read_data => slice0window_leaving_3,
+      write_address => other_109, write_data => slice0window_leaving_3_memory_write_data);
 
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_8, 10) & to_unsigned(slice0cost_column_0_7, 10) & to_unsigned(slice0cost_column_0_6, 10);
   slice0window_leaving_2_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      read_address => other_110, read_data => slice0window_leaving_2,
+      write_address => other_109, write_data => slice0window_leaving_2_memory_write_data);
 
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_5, 10) & to_unsigned(slice0cost_column_0_4, 10) & to_unsigned(slice0cost_column_0_3, 10);
   slice0window_leaving_1_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      read_address => other_110, read_data => slice0window_leaving_1,
+      write_address => other_109, write_data => slice0window_leaving_1_memory_write_data);
 
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 10) & to_unsigned(slice0cost_column_0_1, 10) & to_unsigned(slice0cost_column_0_0, 10);
   slice0window_leaving_0_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      read_address => other_110, read_data => slice0window_leaving_0,
+      write_address => other_109, write_data => slice0window_leaving_0_memory_write_data);
 
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 10);
   slice0cost_read_words_5_memory : entity work.line_memory
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_5_memory_write_data);
+      read_address => other_114, read_data => slice0cost_read_words_5,
+      write_address => other_111, write_data => slice0cost_read_words_5_memory_write_data);
 
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 30);
   slice0cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_4_memory_write_data);
+      read_address => other_114, read_data => slice0cost_read_words_4,
+      write_address => other_111, write_data => slice0cost_read_words_4_memory_write_data);
 
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 30);
   slice0cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_3_memory_write_data);
+      read_address => other_114, read_data => slice0cost_read_words_3,
+      write_address => other_111, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 30);
   slice0cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_2_memory_write_data);
+      read_address => other_114, read_data => slice0cost_read_words_2,
+      write_address => other_111, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 30);
   slice0cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+      read_address => other_114, read_data => slice0cost_read_words_1,
+      write_address => other_111, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 30);
   slice0cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+      read_address => other_114, read_data => slice0cost_read_words_0,
+      write_address => other_111, write_data => slice0cost_read_words_0_memory_write_data);
 
-  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 20);
+  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 21);
   rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 20)
+    generic map (depth => 450, width => 21)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_3,
@@ -1430,9 +1446,9 @@ begin
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
 
-  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 20);
+  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 21);
   rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 20)
+    generic map (depth => 450, width => 21)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_3,
@@ -1478,78 +1494,84 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 10);
+  texturewindow_leaving_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 10)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => other_110, read_data => texturewindow_leaving_0,
+      write_address => other_109, write_data => texturewindow_leaving_0_memory_write_data);
+
+  texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 10);
+  texturecost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 450, width => 10)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => other_114, read_data => texturecost_read_words_0,
+      write_address => other_111, write_data => texturecost_read_words_0_memory_write_data);
+
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
-    variable transform_counter_group_differs, transform_read_column_inside_0_differs : boolean;
-    variable transform_left_filter_feature_0_all, transform_left_filter_feature_0_is_less : boolean;
-    variable transform_right_filter_feature_0_is_less, transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choice_2, transform_counter_next_frame_choice_3 : boolean;
-    variable transform_left_filter_column_0_0_choice_3, transform_right_filter_column_0_0_choice_3 : boolean;
-    variable raster_place_group_is_equal, slice0winner1_best_index_0_0_is_not_less : boolean;
+    variable transform_counter_group_all, transform_counter_group_differs : boolean;
+    variable transform_read_column_inside_0_differs, transform_counter_next_frame_choice : boolean;
+    variable transform_counter_next_frame_choice_2, transform_left_filter_column_0_0_choice_3 : boolean;
+    variable transform_right_filter_column_0_0_choice_3, raster_place_group_is_equal : boolean;
     variable slice0winner1_best_index_0_1_is_less, slice0winner1_best_index_0_2_is_less : boolean;
     variable slice0winner1_best_index_0_3_is_less, slice0winner1_best_index_0_4_is_less : boolean;
     variable slice0winner1_best_index_0_5_is_less, slice0winner1_best_index_0_6_is_less : boolean;
-    variable slice0winner1_best_index_0_7_is_less, slice0winner2_best_index_0_0_is_less : boolean;
-    variable slice0winner2_best_index_0_1_is_less, slice0winner2_best_index_0_2_is_less : boolean;
-    variable slice0winner2_best_index_0_3_is_less, slice0winner2_best_above_0_1_all : boolean;
-    variable slice0winner2_best_above_0_2_all, slice0winner2_best_above_0_3_all : boolean;
-    variable slice0winner3_best_index_0_0_is_less, slice0winner3_best_index_0_1_is_less : boolean;
-    variable slice0winner3_best_below_0_0_is_equal, slice0winner3_best_below_0_1_is_equal : boolean;
-    variable slice0winner3_best_above_0_0_is_equal, slice0winner3_best_above_0_1_all : boolean;
-    variable slice0winner4_best_index_0_0_is_less, slice0winner4_best_below_0_0_is_equal : boolean;
-    variable slice0winner4_best_above_0_0_is_equal, slice1winner1_best_index_0_0_is_not_less : boolean;
-    variable slice1winner1_best_index_0_1_is_less, slice1winner1_best_index_0_2_is_less : boolean;
-    variable slice1winner1_best_index_0_3_is_less, slice1winner1_best_index_0_4_is_less : boolean;
-    variable slice1winner1_best_index_0_5_is_less, slice1winner1_best_index_0_6_is_less : boolean;
-    variable slice1winner1_best_index_0_7_is_less, slice1winner2_best_index_0_0_is_less : boolean;
-    variable slice1winner2_best_index_0_1_is_less, slice1winner2_best_index_0_2_is_less : boolean;
-    variable slice1winner2_best_index_0_3_is_less, slice1winner2_best_above_0_1_all : boolean;
-    variable slice1winner2_best_above_0_2_all, slice1winner2_best_above_0_3_all : boolean;
-    variable slice1winner3_best_index_0_0_is_less, slice1winner3_best_index_0_1_is_less : boolean;
+    variable slice0winner1_best_index_0_7_is_less, slice0winner1_best_below_0_0_is_not_less : boolean;
+    variable slice0winner2_best_index_0_0_is_not_less, slice0winner2_best_index_0_1_is_not_less : boolean;
+    variable slice0winner2_best_index_0_2_is_not_less, slice0winner2_best_index_0_3_is_not_less : boolean;
+    variable slice0winner2_best_above_0_3_value, slice0winner3_best_index_0_0_is_not_less : boolean;
+    variable slice0winner3_best_index_0_1_is_not_less, slice0winner3_best_below_0_0_is_equal : boolean;
+    variable slice0winner3_best_below_0_1_is_equal, slice0winner3_best_above_0_0_is_equal : boolean;
+    variable slice0winner3_best_above_0_1_is_equal, slice0winner4_best_index_0_0_is_less : boolean;
+    variable slice0winner4_best_below_0_0_is_equal, slice0winner4_best_above_0_0_is_equal : boolean;
+    variable slice0winner4_best_place_0_0_is_not_less, slice1winner1_best_index_0_1_is_less : boolean;
+    variable slice1winner1_best_index_0_2_is_less, slice1winner1_best_index_0_3_is_less : boolean;
+    variable slice1winner1_best_index_0_4_is_less, slice1winner1_best_index_0_5_is_less : boolean;
+    variable slice1winner1_best_index_0_6_is_less, slice1winner1_best_index_0_7_is_less : boolean;
+    variable slice1winner1_best_below_0_0_is_not_less, slice1winner2_best_index_0_0_is_not_less : boolean;
+    variable slice1winner2_best_index_0_1_is_not_less, slice1winner2_best_index_0_2_is_not_less : boolean;
+    variable slice1winner2_best_index_0_3_is_not_less, slice1winner2_best_above_0_3_value : boolean;
+    variable slice1winner3_best_index_0_0_is_not_less, slice1winner3_best_index_0_1_is_not_less : boolean;
     variable slice1winner3_best_below_0_0_is_equal, slice1winner3_best_below_0_1_is_equal : boolean;
-    variable slice1winner3_best_above_0_0_is_equal, slice1winner3_best_above_0_1_all : boolean;
+    variable slice1winner3_best_above_0_0_is_equal, slice1winner3_best_above_0_1_is_equal : boolean;
     variable slice1winner4_best_index_0_0_is_less, slice1winner4_best_below_0_0_is_equal : boolean;
-    variable slice1winner4_best_above_0_0_is_equal, slice1_best_index_0_0_is_less : boolean;
-    variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
-    variable slice2winner1_best_index_0_0_is_not_less, slice2winner1_best_index_0_1_is_less : boolean;
+    variable slice1winner4_best_above_0_0_is_equal, slice1winner4_best_place_0_0_is_not_less : boolean;
+    variable slice1_best_index_0_0_is_less, slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
+    variable slice1_best_place_0_0_is_not_less, slice2winner1_best_index_0_1_is_less : boolean;
     variable slice2winner1_best_index_0_2_is_less, slice2winner1_best_index_0_3_is_less : boolean;
     variable slice2winner1_best_index_0_4_is_less, slice2winner1_best_index_0_5_is_less : boolean;
     variable slice2winner1_best_index_0_6_is_less, slice2winner1_best_index_0_7_is_less : boolean;
-    variable slice2winner2_best_index_0_0_is_less, slice2winner2_best_index_0_1_is_less : boolean;
-    variable slice2winner2_best_index_0_2_is_less, slice2winner2_best_index_0_3_is_less : boolean;
-    variable slice2winner2_best_above_0_1_all, slice2winner2_best_above_0_2_all : boolean;
-    variable slice2winner2_best_above_0_3_all, slice2winner3_best_index_0_0_is_less : boolean;
-    variable slice2winner3_best_index_0_1_is_less, slice2winner3_best_below_0_0_is_equal : boolean;
-    variable slice2winner3_best_below_0_1_is_equal, slice2winner3_best_above_0_0_is_equal : boolean;
-    variable slice2winner3_best_above_0_1_all, slice2winner4_best_index_0_0_is_less : boolean;
-    variable slice2winner4_best_below_0_0_is_equal, slice2winner4_best_above_0_0_is_equal : boolean;
+    variable slice2winner1_best_below_0_0_is_not_less, slice2winner2_best_index_0_0_is_not_less : boolean;
+    variable slice2winner2_best_index_0_1_is_not_less, slice2winner2_best_index_0_2_is_not_less : boolean;
+    variable slice2winner2_best_index_0_3_is_not_less, slice2winner2_best_above_0_3_value : boolean;
+    variable slice2winner3_best_index_0_0_is_not_less, slice2winner3_best_index_0_1_is_not_less : boolean;
+    variable slice2winner3_best_below_0_0_is_equal, slice2winner3_best_below_0_1_is_equal : boolean;
+    variable slice2winner3_best_above_0_0_is_equal, slice2winner3_best_above_0_1_is_equal : boolean;
+    variable slice2winner4_best_index_0_0_is_less, slice2winner4_best_below_0_0_is_equal : boolean;
+    variable slice2winner4_best_above_0_0_is_equal, slice2winner4_best_place_0_0_is_not_less : boolean;
     variable slice2_best_index_0_0_is_less, slice2_best_below_0_0_is_equal, slice2_best_above_0_0_is_equal : boolean;
-    variable slice3winner1_best_index_0_0_is_not_less, slice3winner1_best_index_0_1_is_less : boolean;
+    variable slice2_best_place_0_0_is_not_less, slice3winner1_best_index_0_1_is_less : boolean;
     variable slice3winner1_best_index_0_2_is_less, slice3winner1_best_index_0_3_is_less : boolean;
     variable slice3winner1_best_index_0_4_is_less, slice3winner1_best_index_0_5_is_less : boolean;
     variable slice3winner1_best_index_0_6_is_less, slice3winner1_best_index_0_7_is_less : boolean;
-    variable slice3winner2_best_index_0_0_is_less, slice3winner2_best_index_0_1_is_less : boolean;
-    variable slice3winner2_best_index_0_2_is_less, slice3winner2_best_index_0_3_is_less : boolean;
-    variable slice3winner2_best_above_0_1_all, slice3winner2_best_above_0_2_all : boolean;
-    variable slice3winner2_best_above_0_3_all, slice3winner3_best_index_0_0_is_less : boolean;
-    variable slice3winner3_best_index_0_1_is_less, slice3winner3_best_below_0_0_is_equal : boolean;
-    variable slice3winner3_best_below_0_1_is_equal, slice3winner3_best_above_0_0_is_equal : boolean;
-    variable slice3winner3_best_above_0_1_all, slice3winner4_best_index_0_0_is_less : boolean;
-    variable slice3winner4_best_below_0_0_is_equal, slice3winner4_best_above_0_0_is_equal : boolean;
+    variable slice3winner1_best_below_0_0_is_not_less, slice3winner2_best_index_0_0_is_not_less : boolean;
+    variable slice3winner2_best_index_0_1_is_not_less, slice3winner2_best_index_0_2_is_not_less : boolean;
+    variable slice3winner2_best_index_0_3_is_not_less, slice3winner2_best_above_0_3_value : boolean;
+    variable slice3winner3_best_index_0_0_is_not_less, slice3winner3_best_index_0_1_is_not_less : boolean;
+    variable slice3winner3_best_below_0_0_is_equal, slice3winner3_best_below_0_1_is_equal : boolean;
+    variable slice3winner3_best_above_0_0_is_equal, slice3winner3_best_above_0_1_is_equal : boolean;
+    variable slice3winner4_best_index_0_0_is_less, slice3winner4_best_below_0_0_is_equal : boolean;
+    variable slice3winner4_best_above_0_0_is_equal, slice3winner4_best_place_0_0_is_not_less : boolean;
     variable slice3_best_index_0_0_is_less, slice3_best_below_0_0_is_equal, slice3_best_above_0_0_is_equal : boolean;
-    variable refinement_remainder_0_0_is_less, refinement_remainder_1_0_is_not_less : boolean;
-    variable refinement_remainder_2_0_is_not_less, refinement_remainder_3_0_is_not_less : boolean;
-    variable refinement_remainder_4_0_is_not_less, refinement_remainder_5_0_is_not_less : boolean;
-    variable refinement_remainder_6_0_is_not_less, refinement_remainder_7_0_is_not_less : boolean;
+    variable slice3_best_place_0_0_is_not_less, refinement_divisor_0_0_is_less : boolean;
     variable transform_counter_group_choice : natural range 0 to 375;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
-    variable transform_left_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_choice_3 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_3 : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 127;
     variable transform_left_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
@@ -1665,11 +1687,13 @@ begin
     variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_0_1_choice : natural range 0 to 16383;
     variable slice0winner2_best_above_0_2_choice, slice0winner2_best_above_0_3_choice : natural range 0 to 16383;
     variable slice0winner2_best_second_0_0_choice, slice0winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_0_choice_3, slice0winner2_best_second_0_1_choice : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_1_choice_2, slice0winner2_best_second_0_1_choice_3 : natural range 0 to 16383;
+    variable slice0winner2_best_second_0_0_choice_3, slice0winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice0winner2_best_second_0_1_choice, slice0winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
+    variable slice0winner2_best_second_0_1_choice_3, slice0winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
     variable slice0winner2_best_second_0_2_choice, slice0winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_2_choice_3, slice0winner2_best_second_0_3_choice : natural range 0 to 16383;
-    variable slice0winner2_best_second_0_3_choice_2, slice0winner2_best_second_0_3_choice_3 : natural range 0 to 16383;
+    variable slice0winner2_best_second_0_2_choice_3, slice0winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
+    variable slice0winner2_best_second_0_3_choice, slice0winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
+    variable slice0winner2_best_second_0_3_choice_3, slice0winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
     variable slice0winner3_best_below_0_0_choice, slice0winner3_best_below_0_1_choice : natural range 0 to 16383;
     variable slice0winner3_best_above_0_0_choice, slice0winner3_best_above_0_1_choice : natural range 0 to 16383;
     variable slice0winner3_best_second_0_0_choice, slice0winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
@@ -1692,11 +1716,13 @@ begin
     variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_0_1_choice : natural range 0 to 16383;
     variable slice1winner2_best_above_0_2_choice, slice1winner2_best_above_0_3_choice : natural range 0 to 16383;
     variable slice1winner2_best_second_0_0_choice, slice1winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_0_choice_3, slice1winner2_best_second_0_1_choice : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_1_choice_2, slice1winner2_best_second_0_1_choice_3 : natural range 0 to 16383;
+    variable slice1winner2_best_second_0_0_choice_3, slice1winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice1winner2_best_second_0_1_choice, slice1winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
+    variable slice1winner2_best_second_0_1_choice_3, slice1winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
     variable slice1winner2_best_second_0_2_choice, slice1winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_2_choice_3, slice1winner2_best_second_0_3_choice : natural range 0 to 16383;
-    variable slice1winner2_best_second_0_3_choice_2, slice1winner2_best_second_0_3_choice_3 : natural range 0 to 16383;
+    variable slice1winner2_best_second_0_2_choice_3, slice1winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
+    variable slice1winner2_best_second_0_3_choice, slice1winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
+    variable slice1winner2_best_second_0_3_choice_3, slice1winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
     variable slice1winner3_best_below_0_0_choice, slice1winner3_best_below_0_1_choice : natural range 0 to 16383;
     variable slice1winner3_best_above_0_0_choice, slice1winner3_best_above_0_1_choice : natural range 0 to 16383;
     variable slice1winner3_best_second_0_0_choice, slice1winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
@@ -1709,6 +1735,7 @@ begin
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 16383;
     variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 16383;
     variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice1_best_second_0_0_choice_5, slice1_best_second_0_0_choice_6 : natural range 0 to 16383;
     variable slice2window_sum_0_0_choice, slice2window_sum_0_1_choice : natural range 0 to 16383;
     variable slice2window_sum_0_2_choice, slice2window_sum_0_3_choice : natural range 0 to 16383;
     variable slice2window_sum_0_4_choice, slice2window_sum_0_5_choice : natural range 0 to 16383;
@@ -1722,11 +1749,13 @@ begin
     variable slice2winner2_best_above_0_0_choice, slice2winner2_best_above_0_1_choice : natural range 0 to 16383;
     variable slice2winner2_best_above_0_2_choice, slice2winner2_best_above_0_3_choice : natural range 0 to 16383;
     variable slice2winner2_best_second_0_0_choice, slice2winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_0_choice_3, slice2winner2_best_second_0_1_choice : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_1_choice_2, slice2winner2_best_second_0_1_choice_3 : natural range 0 to 16383;
+    variable slice2winner2_best_second_0_0_choice_3, slice2winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice2winner2_best_second_0_1_choice, slice2winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
+    variable slice2winner2_best_second_0_1_choice_3, slice2winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
     variable slice2winner2_best_second_0_2_choice, slice2winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_2_choice_3, slice2winner2_best_second_0_3_choice : natural range 0 to 16383;
-    variable slice2winner2_best_second_0_3_choice_2, slice2winner2_best_second_0_3_choice_3 : natural range 0 to 16383;
+    variable slice2winner2_best_second_0_2_choice_3, slice2winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
+    variable slice2winner2_best_second_0_3_choice, slice2winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
+    variable slice2winner2_best_second_0_3_choice_3, slice2winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
     variable slice2winner3_best_below_0_0_choice, slice2winner3_best_below_0_1_choice : natural range 0 to 16383;
     variable slice2winner3_best_above_0_0_choice, slice2winner3_best_above_0_1_choice : natural range 0 to 16383;
     variable slice2winner3_best_second_0_0_choice, slice2winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
@@ -1739,6 +1768,7 @@ begin
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 16383;
     variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_2 : natural range 0 to 16383;
     variable slice2_best_second_0_0_choice_3, slice2_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice2_best_second_0_0_choice_5, slice2_best_second_0_0_choice_6 : natural range 0 to 16383;
     variable slice3window_sum_0_0_choice, slice3window_sum_0_1_choice : natural range 0 to 16383;
     variable slice3window_sum_0_2_choice, slice3window_sum_0_3_choice : natural range 0 to 16383;
     variable slice3window_sum_0_4_choice, slice3window_sum_0_5_choice : natural range 0 to 16383;
@@ -1752,11 +1782,13 @@ begin
     variable slice3winner2_best_above_0_0_choice, slice3winner2_best_above_0_1_choice : natural range 0 to 16383;
     variable slice3winner2_best_above_0_2_choice, slice3winner2_best_above_0_3_choice : natural range 0 to 16383;
     variable slice3winner2_best_second_0_0_choice, slice3winner2_best_second_0_0_choice_2 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_0_choice_3, slice3winner2_best_second_0_1_choice : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_1_choice_2, slice3winner2_best_second_0_1_choice_3 : natural range 0 to 16383;
+    variable slice3winner2_best_second_0_0_choice_3, slice3winner2_best_second_0_0_choice_4 : natural range 0 to 16383;
+    variable slice3winner2_best_second_0_1_choice, slice3winner2_best_second_0_1_choice_2 : natural range 0 to 16383;
+    variable slice3winner2_best_second_0_1_choice_3, slice3winner2_best_second_0_1_choice_4 : natural range 0 to 16383;
     variable slice3winner2_best_second_0_2_choice, slice3winner2_best_second_0_2_choice_2 : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_2_choice_3, slice3winner2_best_second_0_3_choice : natural range 0 to 16383;
-    variable slice3winner2_best_second_0_3_choice_2, slice3winner2_best_second_0_3_choice_3 : natural range 0 to 16383;
+    variable slice3winner2_best_second_0_2_choice_3, slice3winner2_best_second_0_2_choice_4 : natural range 0 to 16383;
+    variable slice3winner2_best_second_0_3_choice, slice3winner2_best_second_0_3_choice_2 : natural range 0 to 16383;
+    variable slice3winner2_best_second_0_3_choice_3, slice3winner2_best_second_0_3_choice_4 : natural range 0 to 16383;
     variable slice3winner3_best_below_0_0_choice, slice3winner3_best_below_0_1_choice : natural range 0 to 16383;
     variable slice3winner3_best_above_0_0_choice, slice3winner3_best_above_0_1_choice : natural range 0 to 16383;
     variable slice3winner3_best_second_0_0_choice, slice3winner3_best_second_0_0_choice_2 : natural range 0 to 16383;
@@ -1769,13 +1801,12 @@ begin
     variable slice3_best_below_0_0_choice, slice3_best_above_0_0_choice : natural range 0 to 16383;
     variable slice3_best_second_0_0_choice, slice3_best_second_0_0_choice_2 : natural range 0 to 16383;
     variable slice3_best_second_0_0_choice_3, slice3_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable texturewindow_sum_0_0_choice, refinement_remainder_0_0_choice : natural range 0 to 16383;
-    variable refinement_remainder_0_0_value, refinement_remainder_0_0_choice_2 : natural range 0 to 16383;
-    variable refinement_remainder_0_0_value_2, refinement_remainder_0_0_choice_3 : natural range 0 to 16383;
-    variable refinement_remainder_0_0_choice_4, refinement_remainder_1_0_choice : natural range 0 to 16383;
-    variable refinement_remainder_2_0_choice, refinement_remainder_3_0_choice : natural range 0 to 16383;
-    variable refinement_remainder_4_0_choice, refinement_remainder_5_0_choice : natural range 0 to 16383;
-    variable refinement_remainder_6_0_choice, refinement_remainder_7_0_choice : natural range 0 to 16383;
+    variable slice3_best_second_0_0_choice_5, slice3_best_second_0_0_choice_6 : natural range 0 to 16383;
+    variable texturewindow_sum_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 16383;
+    variable refinement_remainder_1_0_difference : natural range 16385 to 49151;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 16385 to 65534;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 16385 to 65534;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 16385 to 65534;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
@@ -1784,37 +1815,26 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_group = 374;
       transform_counter_group_is_equal_2 := transform_counter_column = 449;
-      transform_counter_group_choice := 375 when transform_counter_group_is_equal and
-        transform_counter_group_is_equal_2 else 0;
+      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_group_choice := 375 when transform_counter_group_all else 0;
       transform_counter_group_differs := transform_counter_group /= 376;
       transform_counter_group_choice_2 := 1 when (transform_counter_group = 375) and transform_counter_next_frame else
         (transform_counter_group + 1) mod 512;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_differs and
-        transform_counter_group_is_equal_2 and in_valid else transform_counter_group;
+        in_valid and transform_counter_group_is_equal_2 else transform_counter_group;
       transform_read_column_inside_0_differs := transform_counter_column /= 0;
-      transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
-        transform_filtering_column_inside_0;
-      transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
-      transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
-      transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference mod 64;
-      transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
-        transform_left_filter_feature_0_choice < 31 else 31;
-      transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
-        transform_right_filter_column_2_0;
-      transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
-      transform_right_filter_feature_0_choice_2 := 33 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference mod 64;
-      transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
-        transform_right_filter_feature_0_choice < 31 else 31;
+      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
+        (transform_left_filter_slope_0 + 31) mod 128;
+      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
+        transform_left_filter_feature_0_choice;
+      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
+        (transform_right_filter_slope_0 + 31) mod 128;
+      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
+        transform_right_filter_feature_0_choice;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice when in_start_of_frame and in_valid else
+      transform_counter_group <= transform_counter_group_choice when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
@@ -1850,28 +1870,31 @@ begin
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
+      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
+        31;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
       transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame when
         transform_counter_group_is_equal_2 else transform_counter_next_frame;
       transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when transform_counter_group_differs
         else transform_counter_next_frame;
-      transform_counter_next_frame_choice_3 := transform_counter_group_is_equal_2 or (not in_start_of_frame) when
-        transform_counter_group_is_equal else not in_start_of_frame;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal_2 or in_start_of_frame else
+        transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal_2 else
           (transform_counter_column + 1) mod 512;
-        transform_counter_next_frame <= transform_counter_next_frame_choice_3 when
-          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
+        transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all when
+          transform_counter_next_frame_choice_2 else in_start_of_frame and transform_counter_group_is_equal and
+          transform_counter_group_is_equal_2;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -1908,22 +1931,19 @@ begin
       raster_place_group_is_equal := raster_place_column = 449;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_start_of_frame <= raster_place_next_frame;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= 0 when transform_filtered_start_of_frame and transform_filtered_valid else
-        (raster_place_group + as_number(((raster_place_group /= 382) and raster_place_group_is_equal and
-        transform_filtered_valid))) mod 512;
-      raster_place_next_frame <= slice3_best_second_0_0 = 16383;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_2_valid;
+      raster_place_group <= 0 when transform_filtering_2_valid and transform_filtering_2_start_of_frame else
+        (raster_place_group + as_number(((raster_place_group /= 382) and transform_filtering_2_valid and
+        raster_place_group_is_equal))) mod 512;
+      if transform_filtering_2_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
           (raster_place_column + 1) mod 512;
       end if;
       -- delay
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65521) mod 65536) < 375;
-      delay_row_inside_1 <= raster_place_group < 375;
+      delay_row_inside_0 <= (raster_place_group >= 15) and (raster_place_group < 390);
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
       delay_tag_first_group <= raster_place_group = 0;
@@ -1931,8 +1951,8 @@ begin
       delay_tag_first_cost <= raster_place_column = 63;
       delay_tag_leaves_window <= (((((raster_place_column / 2) + 32729) mod 32768) * 2) + (raster_place_column mod 2))
         < 65465;
-      delay_tag_output_column <= (((raster_place_group + 65529) mod 65536) < 375) and ((((((raster_place_column / 64) +
-        1023) mod 1024) * 64) + (raster_place_column mod 64)) < 386);
+      delay_tag_output_column <= (raster_place_group >= 7) and (raster_place_group < 382) and ((((((raster_place_column
+        / 64) + 1023) mod 1024) * 64) + (raster_place_column mod 64)) < 386);
       delay_tag_start_of_frame <= (raster_place_group = 7) and (raster_place_column = 64);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -1950,7 +1970,6 @@ begin
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
       rows_read_inside_0 <= delay_row_inside_0;
-      rows_read_inside_1 <= delay_row_inside_1;
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_row_start <= delay_tag_row_start;
       rows_read_tag_first_group <= delay_tag_first_group;
@@ -1962,7 +1981,7 @@ begin
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_inside_1 <= other_31;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_first_group <= rows_read_tag_first_group;
@@ -1977,7 +1996,6 @@ begin
       rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
       rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_inside_0 <= rows_ready_inside_0;
-      rows_inside_1 <= rows_ready_inside_1;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -2041,19 +2059,8 @@ begin
         slice0shift_search_1_14 <= slice0shift_search_1_13;
         slice0shift_search_1_15 <= slice0shift_search_1_14;
       end if;
-      slice0shift_reference_0 <= rows_reference_0;
-      slice0shift_reference_1 <= rows_reference_1;
       slice0shift_search_out_0 <= slice0shift_search_0_15;
       slice0shift_search_out_1 <= slice0shift_search_1_15;
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_row_start <= rows_tag_row_start;
-      slice0shift_tag_first_group <= rows_tag_first_group;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 1024;
       slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
@@ -2108,47 +2115,38 @@ begin
       slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5;
       slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
         slice0cost_column_0_15_choice) mod 1024;
-      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
-      slice0cost_pixels_first_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
-      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
-      slice0cost_pixels_first_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - other_116;
+      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - other_116;
+      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - other_116;
+      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - other_116;
+      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - other_116;
+      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - other_116;
+      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - other_116;
+      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - other_116;
+      slice0cost_pixels_first_0_8 <= slice0shift_search_0_8 - other_116;
+      slice0cost_pixels_first_0_9 <= slice0shift_search_0_9 - other_116;
+      slice0cost_pixels_first_0_10 <= slice0shift_search_0_10 - other_116;
+      slice0cost_pixels_first_0_11 <= slice0shift_search_0_11 - other_116;
+      slice0cost_pixels_first_0_12 <= slice0shift_search_0_12 - other_116;
+      slice0cost_pixels_first_0_13 <= slice0shift_search_0_13 - other_116;
+      slice0cost_pixels_first_0_14 <= slice0shift_search_0_14 - other_116;
+      slice0cost_pixels_first_0_15 <= slice0shift_search_0_15 - other_116;
+      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - other_115;
+      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - other_115;
+      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - other_115;
+      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - other_115;
+      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - other_115;
+      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - other_115;
+      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - other_115;
+      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - other_115;
+      slice0cost_pixels_first_1_8 <= slice0shift_search_1_8 - other_115;
+      slice0cost_pixels_first_1_9 <= slice0shift_search_1_9 - other_115;
+      slice0cost_pixels_first_1_10 <= slice0shift_search_1_10 - other_115;
+      slice0cost_pixels_first_1_11 <= slice0shift_search_1_11 - other_115;
+      slice0cost_pixels_first_1_12 <= slice0shift_search_1_12 - other_115;
+      slice0cost_pixels_first_1_13 <= slice0shift_search_1_13 - other_115;
+      slice0cost_pixels_first_1_14 <= slice0shift_search_1_14 - other_115;
+      slice0cost_pixels_first_1_15 <= slice0shift_search_1_15 - other_115;
       slice0cost_pixels_cost_0_0 <= folded(slice0cost_pixels_first_0_0) + as_number((slice0cost_pixels_first_0_0 < 0));
       slice0cost_pixels_cost_0_1 <= folded(slice0cost_pixels_first_0_1) + as_number((slice0cost_pixels_first_0_1 < 0));
       slice0cost_pixels_cost_0_2 <= folded(slice0cost_pixels_first_0_2) + as_number((slice0cost_pixels_first_0_2 < 0));
@@ -2193,15 +2191,6 @@ begin
         0));
       slice0cost_pixels_cost_1_15 <= folded(slice0cost_pixels_first_1_15) + as_number((slice0cost_pixels_first_1_15 <
         0));
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
       slice0cost_change_0_0 <= slice0cost_pixels_cost_1_0 - slice0cost_pixels_cost_0_0;
       slice0cost_change_0_1 <= slice0cost_pixels_cost_1_1 - slice0cost_pixels_cost_0_1;
       slice0cost_change_0_2 <= slice0cost_pixels_cost_1_2 - slice0cost_pixels_cost_0_2;
@@ -2224,16 +2213,9 @@ begin
       slice0cost_ready_words_3 <= to_integer(slice0cost_read_words_3);
       slice0cost_ready_words_4 <= to_integer(slice0cost_read_words_4);
       slice0cost_ready_words_5 <= to_integer(slice0cost_read_words_5);
-      slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_ready_tag_valid <= other_6;
+      slice0cost_ready_tag_first_group <= other_44;
+      slice0cost_ready_tag_border_column <= other_43;
       slice0cost_column_0_0 <= slice0cost_column_0_0_choice_2;
       slice0cost_column_0_1 <= slice0cost_column_0_1_choice_2;
       slice0cost_column_0_2 <= slice0cost_column_0_2_choice_2;
@@ -2250,22 +2232,6 @@ begin
       slice0cost_column_0_13 <= slice0cost_column_0_13_choice_2;
       slice0cost_column_0_14 <= slice0cost_column_0_14_choice_2;
       slice0cost_column_0_15 <= slice0cost_column_0_15_choice_2;
-      slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
-      if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
-      end if;
-      if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 512;
-      end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 1024) + slice0cost_column_0_0_choice_2 +
           (slice0cost_column_0_2_choice_2 * 1048576);
@@ -2280,11 +2246,6 @@ begin
         slice0cost_write_words_5 <= slice0cost_column_0_15_choice_2;
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 15 else
-          (slice0window_ring_read_address + 1) mod 16;
-        slice0window_ring_write_address <= slice0window_ring_read_address;
-      end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0));
       else
@@ -2381,14 +2342,7 @@ begin
       slice0window_entering_0_13 <= slice0cost_column_0_13;
       slice0window_entering_0_14 <= slice0cost_column_0_14;
       slice0window_entering_0_15 <= slice0cost_column_0_15;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
-      slice0window_entering_tag_border_column <= slice0cost_tag_border_column;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
-      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
-      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_entering_tag_leaves_window <= other_49;
       slice0window_change_0_0 <= slice0window_entering_0_0 - slice0window_change_0_0_choice;
       slice0window_change_0_1 <= slice0window_entering_0_1 - slice0window_change_0_1_choice;
       slice0window_change_0_2 <= slice0window_entering_0_2 - slice0window_change_0_2_choice;
@@ -2405,20 +2359,8 @@ begin
       slice0window_change_0_13 <= slice0window_entering_0_13 - slice0window_change_0_13_choice;
       slice0window_change_0_14 <= slice0window_entering_0_14 - slice0window_change_0_14_choice;
       slice0window_change_0_15 <= slice0window_entering_0_15 - slice0window_change_0_15_choice;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_group <= slice0window_entering_tag_first_group;
-      slice0window_change_tag_border_column <= slice0window_entering_tag_border_column;
-      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
-      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
-      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
-      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
-      slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_change_tag_valid <= slice2cost_ready_tag_valid;
+      slice0window_change_tag_first_cost <= other_54;
       slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
       slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
       slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
@@ -2453,35 +2395,31 @@ begin
         slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 16384;
         slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 16384;
       end if;
-      if slice0winner2_tag_valid then
-        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
-      end if;
       -- slice0winner1
-      slice0winner1_best_index_0_0_is_not_less := slice0window_sum_0_0 >= slice0window_sum_0_1;
-      slice0winner1_best_index_0_1_is_less := slice0window_sum_0_2 < slice0window_sum_0_3;
-      slice0winner1_best_index_0_2_is_less := slice0window_sum_0_4 < slice0window_sum_0_5;
-      slice0winner1_best_index_0_3_is_less := slice0window_sum_0_6 < slice0window_sum_0_7;
-      slice0winner1_best_index_0_4_is_less := slice0window_sum_0_8 < slice0window_sum_0_9;
-      slice0winner1_best_index_0_5_is_less := slice0window_sum_0_10 < slice0window_sum_0_11;
-      slice0winner1_best_index_0_6_is_less := slice0window_sum_0_12 < slice0window_sum_0_13;
-      slice0winner1_best_index_0_7_is_less := slice0window_sum_0_14 < slice0window_sum_0_15;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0window_sum_0_1 < slice0window_sum_0_0 else
+      slice0winner1_best_index_0_1_is_less := (slice0window_sum_0_2 - slice0window_sum_0_3) < 0;
+      slice0winner1_best_index_0_2_is_less := (slice0window_sum_0_4 - slice0window_sum_0_5) < 0;
+      slice0winner1_best_index_0_3_is_less := (slice0window_sum_0_6 - slice0window_sum_0_7) < 0;
+      slice0winner1_best_index_0_4_is_less := (slice0window_sum_0_8 - slice0window_sum_0_9) < 0;
+      slice0winner1_best_index_0_5_is_less := (slice0window_sum_0_10 - slice0window_sum_0_11) < 0;
+      slice0winner1_best_index_0_6_is_less := (slice0window_sum_0_12 - slice0window_sum_0_13) < 0;
+      slice0winner1_best_index_0_7_is_less := (slice0window_sum_0_14 - slice0window_sum_0_15) < 0;
+      slice0winner1_best_below_0_0_is_not_less := (slice0window_sum_0_0 - slice0window_sum_0_1) >= 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 else
         slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0window_sum_0_3 < slice0window_sum_0_2 else
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when (slice0window_sum_0_3 - slice0window_sum_0_2) < 0 else
         slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0window_sum_0_5 < slice0window_sum_0_4 else
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when (slice0window_sum_0_5 - slice0window_sum_0_4) < 0 else
         slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0window_sum_0_7 < slice0window_sum_0_6 else
+      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when (slice0window_sum_0_7 - slice0window_sum_0_6) < 0 else
         slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0window_sum_0_9 < slice0window_sum_0_8 else
+      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when (slice0window_sum_0_9 - slice0window_sum_0_8) < 0 else
         slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0window_sum_0_11 < slice0window_sum_0_10 else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0window_sum_0_13 < slice0window_sum_0_12 else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0window_sum_0_15 < slice0window_sum_0_14 else
-        slice0window_sum_0_14;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_index_0_0_is_not_less;
+      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when (slice0window_sum_0_11 - slice0window_sum_0_10) < 0
+        else slice0window_sum_0_10;
+      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when (slice0window_sum_0_13 - slice0window_sum_0_12) < 0
+        else slice0window_sum_0_12;
+      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when (slice0window_sum_0_15 - slice0window_sum_0_14) < 0
+        else slice0window_sum_0_14;
       slice0winner1_best_index_0_1 <= 2 when slice0winner1_best_index_0_1_is_less else 3;
       slice0winner1_best_index_0_2 <= 4 when slice0winner1_best_index_0_2_is_less else 5;
       slice0winner1_best_index_0_3 <= 6 when slice0winner1_best_index_0_3_is_less else 7;
@@ -2489,7 +2427,7 @@ begin
       slice0winner1_best_index_0_5 <= 10 when slice0winner1_best_index_0_5_is_less else 11;
       slice0winner1_best_index_0_6 <= 12 when slice0winner1_best_index_0_6_is_less else 13;
       slice0winner1_best_index_0_7 <= 14 when slice0winner1_best_index_0_7_is_less else 15;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_index_0_0_is_not_less else 0;
+      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_below_0_0_is_not_less else 0;
       slice0winner1_best_below_0_1 <= 0 when slice0winner1_best_index_0_1_is_less else slice0window_sum_0_2;
       slice0winner1_best_below_0_2 <= 0 when slice0winner1_best_index_0_2_is_less else slice0window_sum_0_4;
       slice0winner1_best_below_0_3 <= 0 when slice0winner1_best_index_0_3_is_less else slice0window_sum_0_6;
@@ -2497,7 +2435,7 @@ begin
       slice0winner1_best_below_0_5 <= 0 when slice0winner1_best_index_0_5_is_less else slice0window_sum_0_10;
       slice0winner1_best_below_0_6 <= 0 when slice0winner1_best_index_0_6_is_less else slice0window_sum_0_12;
       slice0winner1_best_below_0_7 <= 0 when slice0winner1_best_index_0_7_is_less else slice0window_sum_0_14;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_index_0_0_is_not_less else slice0window_sum_0_1;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_below_0_0_is_not_less else slice0window_sum_0_1;
       slice0winner1_best_above_0_1 <= slice0window_sum_0_3 when slice0winner1_best_index_0_1_is_less else 0;
       slice0winner1_best_above_0_2 <= slice0window_sum_0_5 when slice0winner1_best_index_0_2_is_less else 0;
       slice0winner1_best_above_0_3 <= slice0window_sum_0_7 when slice0winner1_best_index_0_3_is_less else 0;
@@ -2505,121 +2443,130 @@ begin
       slice0winner1_best_above_0_5 <= slice0window_sum_0_11 when slice0winner1_best_index_0_5_is_less else 0;
       slice0winner1_best_above_0_6 <= slice0window_sum_0_13 when slice0winner1_best_index_0_6_is_less else 0;
       slice0winner1_best_above_0_7 <= slice0window_sum_0_15 when slice0winner1_best_index_0_7_is_less else 0;
-      slice0winner1_best_first_0_0 <= slice0window_sum_0_0 when slice0window_sum_0_0 < 16383 else 16383;
-      slice0winner1_best_first_0_1 <= slice0window_sum_0_2 when slice0window_sum_0_2 < 16383 else 16383;
+      slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
+      slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
       slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
-      slice0winner1_best_first_0_3 <= slice0window_sum_0_6 when slice0window_sum_0_6 < 16383 else 16383;
+      slice0winner1_best_first_0_3 <= slice0window_sum_0_6;
       slice0winner1_best_first_0_4 <= slice0window_sum_0_8;
-      slice0winner1_best_first_0_5 <= slice0window_sum_0_10 when slice0window_sum_0_10 < 16383 else 16383;
+      slice0winner1_best_first_0_5 <= slice0window_sum_0_10;
       slice0winner1_best_first_0_6 <= slice0window_sum_0_12;
-      slice0winner1_best_first_0_7 <= slice0window_sum_0_14 when slice0window_sum_0_14 < 16383 else 16383;
-      slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
+      slice0winner1_best_first_0_7 <= slice0window_sum_0_14;
       slice0winner1_best_last_0_1 <= slice0window_sum_0_3;
-      slice0winner1_best_last_0_2 <= slice0window_sum_0_5 when slice0window_sum_0_5 < 16383 else 16383;
+      slice0winner1_best_last_0_2 <= slice0window_sum_0_5;
       slice0winner1_best_last_0_3 <= slice0window_sum_0_7;
-      slice0winner1_best_last_0_4 <= slice0window_sum_0_9 when slice0window_sum_0_9 < 16383 else 16383;
+      slice0winner1_best_last_0_4 <= slice0window_sum_0_9;
       slice0winner1_best_last_0_5 <= slice0window_sum_0_11;
-      slice0winner1_best_last_0_6 <= slice0window_sum_0_13 when slice0window_sum_0_13 < 16383 else 16383;
+      slice0winner1_best_last_0_6 <= slice0window_sum_0_13;
       slice0winner1_best_last_0_7 <= slice0window_sum_0_15;
-      slice0winner1_best_second_0_0 <= 16383;
-      slice0winner1_best_but_first_0_1 <= slice0window_sum_0_3 when slice0window_sum_0_3 < 16383 else 16383;
-      slice0winner1_best_but_first_0_2 <= slice0window_sum_0_5;
-      slice0winner1_best_but_first_0_3 <= slice0window_sum_0_7 when slice0window_sum_0_7 < 16383 else 16383;
-      slice0winner1_best_but_first_0_4 <= slice0window_sum_0_9;
-      slice0winner1_best_but_first_0_5 <= slice0window_sum_0_11 when slice0window_sum_0_11 < 16383 else 16383;
-      slice0winner1_best_but_first_0_6 <= slice0window_sum_0_13;
-      slice0winner1_best_but_first_0_7 <= slice0window_sum_0_15 when slice0window_sum_0_15 < 16383 else 16383;
-      slice0winner1_best_but_last_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_but_last_0_2 <= slice0window_sum_0_4 when slice0window_sum_0_4 < 16383 else 16383;
-      slice0winner1_best_but_last_0_3 <= slice0window_sum_0_6;
-      slice0winner1_best_but_last_0_4 <= slice0window_sum_0_8 when slice0window_sum_0_8 < 16383 else 16383;
-      slice0winner1_best_but_last_0_5 <= slice0window_sum_0_10;
-      slice0winner1_best_but_last_0_6 <= slice0window_sum_0_12 when slice0window_sum_0_12 < 16383 else 16383;
-      slice0winner1_best_but_last_0_7 <= slice0window_sum_0_14;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
+      slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
+      slice0winner1_best_late_cost_0_3 <= slice0winner1_best_cost_0_3;
+      slice0winner1_best_late_cost_0_4 <= slice0winner1_best_cost_0_4;
+      slice0winner1_best_late_cost_0_5 <= slice0winner1_best_cost_0_5;
+      slice0winner1_best_late_cost_0_6 <= slice0winner1_best_cost_0_6;
+      slice0winner1_best_late_cost_0_7 <= slice0winner1_best_cost_0_7;
+      slice0winner1_best_but_first_0_1 <= slice0winner1_best_last_0_1;
+      slice0winner1_best_but_first_0_2 <= slice0winner1_best_last_0_2;
+      slice0winner1_best_but_first_0_3 <= slice0winner1_best_last_0_3;
+      slice0winner1_best_but_first_0_4 <= slice0winner1_best_last_0_4;
+      slice0winner1_best_but_first_0_5 <= slice0winner1_best_last_0_5;
+      slice0winner1_best_but_first_0_6 <= slice0winner1_best_last_0_6;
+      slice0winner1_best_but_first_0_7 <= slice0winner1_best_last_0_7;
+      slice0winner1_best_but_last_0_0 <= slice0winner1_best_first_0_0;
+      slice0winner1_best_but_last_0_1 <= slice0winner1_best_first_0_1;
+      slice0winner1_best_but_last_0_2 <= slice0winner1_best_first_0_2;
+      slice0winner1_best_but_last_0_3 <= slice0winner1_best_first_0_3;
+      slice0winner1_best_but_last_0_4 <= slice0winner1_best_first_0_4;
+      slice0winner1_best_but_last_0_5 <= slice0winner1_best_first_0_5;
+      slice0winner1_best_but_last_0_6 <= slice0winner1_best_first_0_6;
+      slice0winner1_best_but_last_0_7 <= slice0winner1_best_first_0_7;
       -- slice0winner2
-      slice0winner2_best_index_0_0_is_less := slice0winner1_best_cost_0_0 < slice0winner1_best_cost_0_1;
-      slice0winner2_best_index_0_1_is_less := slice0winner1_best_cost_0_2 < slice0winner1_best_cost_0_3;
-      slice0winner2_best_index_0_2_is_less := slice0winner1_best_cost_0_4 < slice0winner1_best_cost_0_5;
-      slice0winner2_best_index_0_3_is_less := slice0winner1_best_cost_0_6 < slice0winner1_best_cost_0_7;
-      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when other_11 else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_best_but_first_0_2 when other_12 else
+      slice0winner2_best_index_0_0_is_not_less := (slice0winner1_best_cost_0_0 - slice0winner1_best_cost_0_1) >= 0;
+      slice0winner2_best_index_0_1_is_not_less := (slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) >= 0;
+      slice0winner2_best_index_0_2_is_not_less := (slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) >= 0;
+      slice0winner2_best_index_0_3_is_not_less := (slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) >= 0;
+      slice0winner2_best_below_0_0_choice := other_24 when other_29 else slice0winner1_best_below_0_1;
+      slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when other_30 else
         slice0winner1_best_below_0_3;
-      slice0winner2_best_below_0_2_choice := slice0winner1_best_but_first_0_4 when other_13 else
+      slice0winner2_best_below_0_2_choice := slice0winner1_best_last_0_4 when other_33 else
         slice0winner1_best_below_0_5;
-      slice0winner2_best_below_0_3_choice := slice0winner1_best_but_first_0_6 when other_14 else
+      slice0winner2_best_below_0_3_choice := slice0winner1_best_last_0_6 when other_34 else
         slice0winner1_best_below_0_7;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_but_last_0_1 when slice0winner1_best_index_0_0 else
+      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when other_25 else
         slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_all := ((slice0winner1_best_index_0_2 / 4) = 1) and ((slice0winner1_best_index_0_2
-        mod 2) = 1);
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_but_last_0_3 when slice0winner2_best_above_0_1_all else
-        slice0winner1_best_above_0_2;
-      slice0winner2_best_above_0_2_all := ((slice0winner1_best_index_0_4 / 8) = 1) and ((slice0winner1_best_index_0_4
-        mod 2) = 1);
-      slice0winner2_best_above_0_2_choice := slice0winner1_best_but_last_0_5 when slice0winner2_best_above_0_2_all else
-        slice0winner1_best_above_0_4;
-      slice0winner2_best_above_0_3_all := ((slice0winner1_best_index_0_6 / 8) = 1) and (((slice0winner1_best_index_0_6
-        / 4) mod 2) = 1) and ((slice0winner1_best_index_0_6 mod 2) = 1);
-      slice0winner2_best_above_0_3_choice := slice0winner1_best_but_last_0_7 when slice0winner2_best_above_0_3_all else
+      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when ((slice0winner1_best_index_0_2 / 4) = 1)
+        and ((slice0winner1_best_index_0_2 mod 2) = 1) else slice0winner1_best_above_0_2;
+      slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5 when ((slice0winner1_best_index_0_4 / 8) = 1)
+        and ((slice0winner1_best_index_0_4 mod 2) = 1) else slice0winner1_best_above_0_4;
+      slice0winner2_best_above_0_3_value := ((slice0winner1_best_index_0_6 / 4) mod 2) = 1;
+      slice0winner2_best_above_0_3_choice := slice0winner1_best_first_0_7 when ((slice0winner1_best_index_0_6 / 8) = 1)
+        and slice0winner2_best_above_0_3_value and ((slice0winner1_best_index_0_6 mod 2) = 1) else
         slice0winner1_best_above_0_6;
-      slice0winner2_best_second_0_0_choice := slice0winner1_best_but_first_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_cost_0_1;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_first_0_0 when other_11 else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner2_best_second_0_0_choice when
-        slice0winner2_best_index_0_0_is_less else slice0winner2_best_second_0_0_choice_2;
-      slice0winner2_best_second_0_1_choice := slice0winner1_best_but_first_0_3 when slice0winner2_best_above_0_1_all
-        else slice0winner1_best_cost_0_3;
-      slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_last_0_2 when other_12 else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_second_0_1_choice_3 := slice0winner2_best_second_0_1_choice when
-        slice0winner2_best_index_0_1_is_less else slice0winner2_best_second_0_1_choice_2;
-      slice0winner2_best_second_0_2_choice := slice0winner1_best_but_first_0_5 when slice0winner2_best_above_0_2_all
-        else slice0winner1_best_cost_0_5;
-      slice0winner2_best_second_0_2_choice_2 := slice0winner1_best_but_last_0_4 when other_13 else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_second_0_2_choice_3 := slice0winner2_best_second_0_2_choice when
-        slice0winner2_best_index_0_2_is_less else slice0winner2_best_second_0_2_choice_2;
-      slice0winner2_best_second_0_3_choice := slice0winner1_best_but_first_0_7 when slice0winner2_best_above_0_3_all
-        else slice0winner1_best_cost_0_7;
-      slice0winner2_best_second_0_3_choice_2 := slice0winner1_best_but_last_0_6 when other_14 else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_second_0_3_choice_3 := slice0winner2_best_second_0_3_choice when
-        slice0winner2_best_index_0_3_is_less else slice0winner2_best_second_0_3_choice_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner1_best_cost_0_1 <
-        slice0winner1_best_cost_0_0 else slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner1_best_cost_0_3 <
-        slice0winner1_best_cost_0_2 else slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner1_best_cost_0_5 <
-        slice0winner1_best_cost_0_4 else slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner1_best_cost_0_7 <
-        slice0winner1_best_cost_0_6 else slice0winner1_best_cost_0_6;
-      slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0) when slice0winner2_best_index_0_0_is_less
-        else slice0winner1_best_index_0_1;
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2 when slice0winner2_best_index_0_1_is_less else
-        slice0winner1_best_index_0_3;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4 when slice0winner2_best_index_0_2_is_less else
-        slice0winner1_best_index_0_5;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6 when slice0winner2_best_index_0_3_is_less else
-        slice0winner1_best_index_0_7;
-      slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0 when slice0winner2_best_index_0_0_is_less else
-        slice0winner2_best_below_0_0_choice;
-      slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2 when slice0winner2_best_index_0_1_is_less else
-        slice0winner2_best_below_0_1_choice;
-      slice0winner2_best_below_0_2 <= slice0winner1_best_below_0_4 when slice0winner2_best_index_0_2_is_less else
-        slice0winner2_best_below_0_2_choice;
-      slice0winner2_best_below_0_3 <= slice0winner1_best_below_0_6 when slice0winner2_best_index_0_3_is_less else
-        slice0winner2_best_below_0_3_choice;
-      slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice when slice0winner2_best_index_0_0_is_less
-        else slice0winner1_best_above_0_1;
-      slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice when slice0winner2_best_index_0_1_is_less
-        else slice0winner1_best_above_0_3;
-      slice0winner2_best_above_0_2 <= slice0winner2_best_above_0_2_choice when slice0winner2_best_index_0_2_is_less
-        else slice0winner1_best_above_0_5;
-      slice0winner2_best_above_0_3 <= slice0winner2_best_above_0_3_choice when slice0winner2_best_index_0_3_is_less
-        else slice0winner1_best_above_0_7;
+      slice0winner2_best_second_0_0_choice := 16383 when slice0winner2_best_place_0_0 else
+        slice0winner1_best_late_cost_0_1;
+      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1 when slice0winner2_best_at_end_0_0
+        else slice0winner2_best_second_0_0_choice;
+      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
+        16383;
+      slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
+        else slice0winner2_best_second_0_0_choice_3;
+      slice0winner2_best_second_0_1_choice := 16383 when slice0winner2_best_place_0_1 else
+        slice0winner1_best_late_cost_0_3;
+      slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_first_0_3 when slice0winner2_best_at_end_0_1
+        else slice0winner2_best_second_0_1_choice;
+      slice0winner2_best_second_0_1_choice_3 := slice0winner1_best_late_cost_0_2 when slice0winner2_best_place_0_1 else
+        16383;
+      slice0winner2_best_second_0_1_choice_4 := slice0winner1_best_but_last_0_2 when slice0winner2_best_at_start_0_1
+        else slice0winner2_best_second_0_1_choice_3;
+      slice0winner2_best_second_0_2_choice := 16383 when slice0winner2_best_place_0_2 else
+        slice0winner1_best_late_cost_0_5;
+      slice0winner2_best_second_0_2_choice_2 := slice0winner1_best_but_first_0_5 when slice0winner2_best_at_end_0_2
+        else slice0winner2_best_second_0_2_choice;
+      slice0winner2_best_second_0_2_choice_3 := slice0winner1_best_late_cost_0_4 when slice0winner2_best_place_0_2 else
+        16383;
+      slice0winner2_best_second_0_2_choice_4 := slice0winner1_best_but_last_0_4 when slice0winner2_best_at_start_0_2
+        else slice0winner2_best_second_0_2_choice_3;
+      slice0winner2_best_second_0_3_choice := 16383 when slice0winner2_best_place_0_3 else
+        slice0winner1_best_late_cost_0_7;
+      slice0winner2_best_second_0_3_choice_2 := slice0winner1_best_but_first_0_7 when slice0winner2_best_at_end_0_3
+        else slice0winner2_best_second_0_3_choice;
+      slice0winner2_best_second_0_3_choice_3 := slice0winner1_best_late_cost_0_6 when slice0winner2_best_place_0_3 else
+        16383;
+      slice0winner2_best_second_0_3_choice_4 := slice0winner1_best_but_last_0_6 when slice0winner2_best_at_start_0_3
+        else slice0winner2_best_second_0_3_choice_3;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when (slice0winner1_best_cost_0_1 -
+        slice0winner1_best_cost_0_0) < 0 else slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when (slice0winner1_best_cost_0_3 -
+        slice0winner1_best_cost_0_2) < 0 else slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when (slice0winner1_best_cost_0_5 -
+        slice0winner1_best_cost_0_4) < 0 else slice0winner1_best_cost_0_4;
+      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when (slice0winner1_best_cost_0_7 -
+        slice0winner1_best_cost_0_6) < 0 else slice0winner1_best_cost_0_6;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_index_0_0_is_not_less else
+        as_number(other_25);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_index_0_1_is_not_less else
+        slice0winner1_best_index_0_2;
+      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_index_0_2_is_not_less else
+        slice0winner1_best_index_0_4;
+      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_index_0_3_is_not_less else
+        slice0winner1_best_index_0_6;
+      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_index_0_0_is_not_less
+        else slice0winner1_best_below_0_0;
+      slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice when slice0winner2_best_index_0_1_is_not_less
+        else slice0winner1_best_below_0_2;
+      slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice when slice0winner2_best_index_0_2_is_not_less
+        else slice0winner1_best_below_0_4;
+      slice0winner2_best_below_0_3 <= slice0winner2_best_below_0_3_choice when slice0winner2_best_index_0_3_is_not_less
+        else slice0winner1_best_below_0_6;
+      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_index_0_0_is_not_less else
+        slice0winner2_best_above_0_0_choice;
+      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3 when slice0winner2_best_index_0_1_is_not_less else
+        slice0winner2_best_above_0_1_choice;
+      slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5 when slice0winner2_best_index_0_2_is_not_less else
+        slice0winner2_best_above_0_2_choice;
+      slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7 when slice0winner2_best_index_0_3_is_not_less else
+        slice0winner2_best_above_0_3_choice;
       slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
       slice0winner2_best_first_0_2 <= slice0winner1_best_first_0_4;
       slice0winner2_best_first_0_3 <= slice0winner1_best_first_0_6;
@@ -2627,37 +2574,55 @@ begin
       slice0winner2_best_last_0_1 <= slice0winner1_best_last_0_3;
       slice0winner2_best_last_0_2 <= slice0winner1_best_last_0_5;
       slice0winner2_best_last_0_3 <= slice0winner1_best_last_0_7;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_3 when
-        slice0winner2_best_second_0_0_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_3 when
-        slice0winner2_best_second_0_1_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_3 when
-        slice0winner2_best_second_0_2_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_3 when
-        slice0winner2_best_second_0_3_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice0winner2_best_but_first_0_1 <= slice0winner1_best_cost_0_3 when slice0winner1_best_cost_0_3 <
-        slice0winner1_best_last_0_2 else slice0winner1_best_last_0_2;
-      slice0winner2_best_but_first_0_2 <= slice0winner1_best_cost_0_5 when slice0winner1_best_cost_0_5 <
-        slice0winner1_best_last_0_4 else slice0winner1_best_last_0_4;
-      slice0winner2_best_but_first_0_3 <= slice0winner1_best_cost_0_7 when slice0winner1_best_cost_0_7 <
-        slice0winner1_best_last_0_6 else slice0winner1_best_last_0_6;
-      slice0winner2_best_but_last_0_0 <= slice0winner1_best_first_0_1 when slice0winner1_best_first_0_1 <
-        slice0winner1_best_cost_0_0 else slice0winner1_best_cost_0_0;
-      slice0winner2_best_but_last_0_1 <= slice0winner1_best_first_0_3 when slice0winner1_best_first_0_3 <
-        slice0winner1_best_cost_0_2 else slice0winner1_best_cost_0_2;
-      slice0winner2_best_but_last_0_2 <= slice0winner1_best_first_0_5 when slice0winner1_best_first_0_5 <
-        slice0winner1_best_cost_0_4 else slice0winner1_best_cost_0_4;
-      slice0winner2_best_but_last_0_3 <= slice0winner1_best_first_0_7 when slice0winner1_best_first_0_7 <
-        slice0winner1_best_cost_0_6 else slice0winner1_best_cost_0_6;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
-        slice0winner2_tag_start_of_frame <= slice3window_centre_start_of_frame_5;
-        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_5;
-      end if;
+      slice0winner2_best_place_0_0 <= slice0winner2_best_index_0_0_is_not_less;
+      slice0winner2_best_place_0_1 <= slice0winner2_best_index_0_1_is_not_less;
+      slice0winner2_best_place_0_2 <= slice0winner2_best_index_0_2_is_not_less;
+      slice0winner2_best_place_0_3 <= slice0winner2_best_index_0_3_is_not_less;
+      slice0winner2_best_at_start_0_0 <= other_29 and slice0winner2_best_index_0_0_is_not_less;
+      slice0winner2_best_at_start_0_1 <= other_30 and slice0winner2_best_index_0_1_is_not_less;
+      slice0winner2_best_at_start_0_2 <= other_33 and slice0winner2_best_index_0_2_is_not_less;
+      slice0winner2_best_at_start_0_3 <= other_34 and slice0winner2_best_index_0_3_is_not_less;
+      slice0winner2_best_at_end_0_0 <= other_25 and ((slice0winner1_best_cost_0_0 - slice0winner1_best_cost_0_1) < 0);
+      slice0winner2_best_at_end_0_1 <= ((slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) < 0) and
+        ((slice0winner1_best_index_0_2 / 4) = 1) and ((slice0winner1_best_index_0_2 mod 2) = 1);
+      slice0winner2_best_at_end_0_2 <= ((slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) < 0) and
+        ((slice0winner1_best_index_0_4 / 8) = 1) and ((slice0winner1_best_index_0_4 mod 2) = 1);
+      slice0winner2_best_at_end_0_3 <= ((slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) < 0) and
+        ((slice0winner1_best_index_0_6 / 8) = 1) and slice0winner2_best_above_0_3_value and
+        ((slice0winner1_best_index_0_6 mod 2) = 1);
+      slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0winner2_best_late_cost_0_1 <= slice0winner2_best_cost_0_1;
+      slice0winner2_best_late_cost_0_2 <= slice0winner2_best_cost_0_2;
+      slice0winner2_best_late_cost_0_3 <= slice0winner2_best_cost_0_3;
+      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2 when
+        (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 else
+        slice0winner2_best_second_0_0_choice_4;
+      slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_2 when
+        (slice0winner2_best_second_0_1_choice_2 - slice0winner2_best_second_0_1_choice_4) < 0 else
+        slice0winner2_best_second_0_1_choice_4;
+      slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_2 when
+        (slice0winner2_best_second_0_2_choice_2 - slice0winner2_best_second_0_2_choice_4) < 0 else
+        slice0winner2_best_second_0_2_choice_4;
+      slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_2 when
+        (slice0winner2_best_second_0_3_choice_2 - slice0winner2_best_second_0_3_choice_4) < 0 else
+        slice0winner2_best_second_0_3_choice_4;
+      slice0winner2_best_but_first_0_1 <= slice0winner1_best_late_cost_0_3 when (slice0winner1_best_late_cost_0_3 -
+        slice0winner1_best_but_first_0_2) < 0 else slice0winner1_best_but_first_0_2;
+      slice0winner2_best_but_first_0_2 <= slice0winner1_best_late_cost_0_5 when (slice0winner1_best_late_cost_0_5 -
+        slice0winner1_best_but_first_0_4) < 0 else slice0winner1_best_but_first_0_4;
+      slice0winner2_best_but_first_0_3 <= slice0winner1_best_late_cost_0_7 when (slice0winner1_best_late_cost_0_7 -
+        slice0winner1_best_but_first_0_6) < 0 else slice0winner1_best_but_first_0_6;
+      slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1 when (slice0winner1_best_but_last_0_1 -
+        slice0winner1_best_late_cost_0_0) < 0 else slice0winner1_best_late_cost_0_0;
+      slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_3 when (slice0winner1_best_but_last_0_3 -
+        slice0winner1_best_late_cost_0_2) < 0 else slice0winner1_best_late_cost_0_2;
+      slice0winner2_best_but_last_0_2 <= slice0winner1_best_but_last_0_5 when (slice0winner1_best_but_last_0_5 -
+        slice0winner1_best_late_cost_0_4) < 0 else slice0winner1_best_late_cost_0_4;
+      slice0winner2_best_but_last_0_3 <= slice0winner1_best_but_last_0_7 when (slice0winner1_best_but_last_0_7 -
+        slice0winner1_best_late_cost_0_6) < 0 else slice0winner1_best_late_cost_0_6;
       -- slice0winner3
-      slice0winner3_best_index_0_0_is_less := slice0winner2_best_cost_0_0 < slice0winner2_best_cost_0_1;
-      slice0winner3_best_index_0_1_is_less := slice0winner2_best_cost_0_2 < slice0winner2_best_cost_0_3;
+      slice0winner3_best_index_0_0_is_not_less := (slice0winner2_best_cost_0_0 - slice0winner2_best_cost_0_1) >= 0;
+      slice0winner3_best_index_0_1_is_not_less := (slice0winner2_best_cost_0_2 - slice0winner2_best_cost_0_3) >= 0;
       slice0winner3_best_below_0_0_is_equal := slice0winner2_best_index_0_1 = 4;
       slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner3_best_below_0_0_is_equal
         else slice0winner2_best_below_0_1;
@@ -2667,77 +2632,87 @@ begin
       slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
       slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner3_best_above_0_0_is_equal
         else slice0winner2_best_above_0_0;
-      slice0winner3_best_above_0_1_all := ((slice0winner2_best_index_0_2 / 8) = 1) and ((slice0winner2_best_index_0_2
-        mod 4) = 3);
-      slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3 when slice0winner3_best_above_0_1_all else
-        slice0winner2_best_above_0_2;
-      slice0winner3_best_second_0_0_choice := slice0winner2_best_but_first_0_1 when
-        slice0winner3_best_above_0_0_is_equal else slice0winner2_best_cost_0_1;
-      slice0winner3_best_second_0_0_choice_2 := slice0winner3_best_second_0_0_choice when
-        slice0winner3_best_second_0_0_choice < slice0winner2_best_second_0_0 else slice0winner2_best_second_0_0;
-      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_but_last_0_0 when
-        slice0winner3_best_below_0_0_is_equal else slice0winner2_best_cost_0_0;
-      slice0winner3_best_second_0_0_choice_4 := slice0winner3_best_second_0_0_choice_3 when
-        slice0winner3_best_second_0_0_choice_3 < slice0winner2_best_second_0_1 else slice0winner2_best_second_0_1;
-      slice0winner3_best_second_0_1_choice := slice0winner2_best_but_first_0_3 when slice0winner3_best_above_0_1_all
-        else slice0winner2_best_cost_0_3;
-      slice0winner3_best_second_0_1_choice_2 := slice0winner3_best_second_0_1_choice when
-        slice0winner3_best_second_0_1_choice < slice0winner2_best_second_0_2 else slice0winner2_best_second_0_2;
-      slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_but_last_0_2 when
-        slice0winner3_best_below_0_1_is_equal else slice0winner2_best_cost_0_2;
-      slice0winner3_best_second_0_1_choice_4 := slice0winner3_best_second_0_1_choice_3 when
-        slice0winner3_best_second_0_1_choice_3 < slice0winner2_best_second_0_3 else slice0winner2_best_second_0_3;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner2_best_cost_0_1 <
-        slice0winner2_best_cost_0_0 else slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner2_best_cost_0_3 <
-        slice0winner2_best_cost_0_2 else slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0 when slice0winner3_best_index_0_0_is_less else
-        slice0winner2_best_index_0_1;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2 when slice0winner3_best_index_0_1_is_less else
-        slice0winner2_best_index_0_3;
-      slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0 when slice0winner3_best_index_0_0_is_less else
-        slice0winner3_best_below_0_0_choice;
-      slice0winner3_best_below_0_1 <= slice0winner2_best_below_0_2 when slice0winner3_best_index_0_1_is_less else
-        slice0winner3_best_below_0_1_choice;
-      slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice when slice0winner3_best_index_0_0_is_less
-        else slice0winner2_best_above_0_1;
-      slice0winner3_best_above_0_1 <= slice0winner3_best_above_0_1_choice when slice0winner3_best_index_0_1_is_less
-        else slice0winner2_best_above_0_3;
+      slice0winner3_best_above_0_1_is_equal := (slice0winner2_best_index_0_2 mod 4) = 3;
+      slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3 when ((slice0winner2_best_index_0_2 / 8) = 1)
+        and slice0winner3_best_above_0_1_is_equal else slice0winner2_best_above_0_2;
+      slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0_1 when slice0winner3_best_place_0_0 else
+        slice0winner2_best_late_cost_0_1;
+      slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1 when slice0winner3_best_at_end_0_0
+        else slice0winner3_best_second_0_0_choice;
+      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0 when slice0winner3_best_place_0_0 else
+        slice0winner2_best_second_0_0;
+      slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0 when slice0winner3_best_at_start_0_0
+        else slice0winner3_best_second_0_0_choice_3;
+      slice0winner3_best_second_0_1_choice := slice0winner2_best_second_0_3 when slice0winner3_best_place_0_1 else
+        slice0winner2_best_late_cost_0_3;
+      slice0winner3_best_second_0_1_choice_2 := slice0winner2_best_but_first_0_3 when slice0winner3_best_at_end_0_1
+        else slice0winner3_best_second_0_1_choice;
+      slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_late_cost_0_2 when slice0winner3_best_place_0_1 else
+        slice0winner2_best_second_0_2;
+      slice0winner3_best_second_0_1_choice_4 := slice0winner2_best_but_last_0_2 when slice0winner3_best_at_start_0_1
+        else slice0winner3_best_second_0_1_choice_3;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when (slice0winner2_best_cost_0_1 -
+        slice0winner2_best_cost_0_0) < 0 else slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when (slice0winner2_best_cost_0_3 -
+        slice0winner2_best_cost_0_2) < 0 else slice0winner2_best_cost_0_2;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_index_0_0_is_not_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_index_0_1_is_not_less else
+        slice0winner2_best_index_0_2;
+      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_index_0_0_is_not_less
+        else slice0winner2_best_below_0_0;
+      slice0winner3_best_below_0_1 <= slice0winner3_best_below_0_1_choice when slice0winner3_best_index_0_1_is_not_less
+        else slice0winner2_best_below_0_2;
+      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_index_0_0_is_not_less else
+        slice0winner3_best_above_0_0_choice;
+      slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_3 when slice0winner3_best_index_0_1_is_not_less else
+        slice0winner3_best_above_0_1_choice;
       slice0winner3_best_first_0_1 <= slice0winner2_best_first_0_2;
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
       slice0winner3_best_last_0_1 <= slice0winner2_best_last_0_3;
-      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when slice0winner3_best_index_0_0_is_less
-        else slice0winner3_best_second_0_0_choice_4;
-      slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_2 when slice0winner3_best_index_0_1_is_less
-        else slice0winner3_best_second_0_1_choice_4;
-      slice0winner3_best_but_first_0_1 <= slice0winner2_best_cost_0_3 when slice0winner2_best_cost_0_3 <
-        slice0winner2_best_but_first_0_2 else slice0winner2_best_but_first_0_2;
-      slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1 when slice0winner2_best_but_last_0_1 <
-        slice0winner2_best_cost_0_0 else slice0winner2_best_cost_0_0;
-      slice0winner3_best_but_last_0_1 <= slice0winner2_best_but_last_0_3 when slice0winner2_best_but_last_0_3 <
-        slice0winner2_best_cost_0_2 else slice0winner2_best_cost_0_2;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0winner3_best_place_0_0 <= slice0winner3_best_index_0_0_is_not_less;
+      slice0winner3_best_place_0_1 <= slice0winner3_best_index_0_1_is_not_less;
+      slice0winner3_best_at_start_0_0 <= slice0winner3_best_index_0_0_is_not_less and
+        slice0winner3_best_below_0_0_is_equal;
+      slice0winner3_best_at_start_0_1 <= slice0winner3_best_below_0_1_is_equal and
+        slice0winner3_best_index_0_1_is_not_less;
+      slice0winner3_best_at_end_0_0 <= ((slice0winner2_best_cost_0_0 - slice0winner2_best_cost_0_1) < 0) and
+        slice0winner3_best_above_0_0_is_equal;
+      slice0winner3_best_at_end_0_1 <= ((slice0winner2_best_cost_0_2 - slice0winner2_best_cost_0_3) < 0) and
+        ((slice0winner2_best_index_0_2 / 8) = 1) and slice0winner3_best_above_0_1_is_equal;
+      slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0winner3_best_late_cost_0_1 <= slice0winner3_best_cost_0_1;
+      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when
+        (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 else
+        slice0winner3_best_second_0_0_choice_4;
+      slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_2 when
+        (slice0winner3_best_second_0_1_choice_2 - slice0winner3_best_second_0_1_choice_4) < 0 else
+        slice0winner3_best_second_0_1_choice_4;
+      slice0winner3_best_but_first_0_1 <= slice0winner2_best_late_cost_0_3 when (slice0winner2_best_late_cost_0_3 -
+        slice0winner2_best_but_first_0_2) < 0 else slice0winner2_best_but_first_0_2;
+      slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1 when (slice0winner2_best_but_last_0_1 -
+        slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
+      slice0winner3_best_but_last_0_1 <= slice0winner2_best_but_last_0_3 when (slice0winner2_best_but_last_0_3 -
+        slice0winner2_best_late_cost_0_2) < 0 else slice0winner2_best_late_cost_0_2;
       -- slice0winner4
-      slice0winner4_best_index_0_0_is_less := slice0winner3_best_cost_0_0 < slice0winner3_best_cost_0_1;
+      slice0winner4_best_index_0_0_is_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) < 0;
       slice0winner4_best_below_0_0_is_equal := slice0winner3_best_index_0_1 = 8;
       slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0 when slice0winner4_best_below_0_0_is_equal
         else slice0winner3_best_below_0_1;
       slice0winner4_best_above_0_0_is_equal := slice0winner3_best_index_0_0 = 7;
       slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1 when slice0winner4_best_above_0_0_is_equal
         else slice0winner3_best_above_0_0;
-      slice0winner4_best_second_0_0_choice := slice0winner3_best_but_first_0_1 when
-        slice0winner4_best_above_0_0_is_equal else slice0winner3_best_cost_0_1;
-      slice0winner4_best_second_0_0_choice_2 := slice0winner4_best_second_0_0_choice when
-        slice0winner4_best_second_0_0_choice < slice0winner3_best_second_0_0 else slice0winner3_best_second_0_0;
-      slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_but_last_0_0 when
-        slice0winner4_best_below_0_0_is_equal else slice0winner3_best_cost_0_0;
-      slice0winner4_best_second_0_0_choice_4 := slice0winner4_best_second_0_0_choice_3 when
-        slice0winner4_best_second_0_0_choice_3 < slice0winner3_best_second_0_1 else slice0winner3_best_second_0_1;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner3_best_cost_0_1 <
-        slice0winner3_best_cost_0_0 else slice0winner3_best_cost_0_0;
+      slice0winner4_best_place_0_0_is_not_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) >= 0;
+      slice0winner4_best_second_0_0_choice := slice0winner3_best_second_0_1 when slice0winner4_best_place_0_0 else
+        slice0winner3_best_late_cost_0_1;
+      slice0winner4_best_second_0_0_choice_2 := slice0winner3_best_but_first_0_1 when slice0winner4_best_at_end_0_0
+        else slice0winner4_best_second_0_0_choice;
+      slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_late_cost_0_0 when slice0winner4_best_place_0_0 else
+        slice0winner3_best_second_0_0;
+      slice0winner4_best_second_0_0_choice_4 := slice0winner3_best_but_last_0_0 when slice0winner4_best_at_start_0_0
+        else slice0winner4_best_second_0_0_choice_3;
+      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when (slice0winner3_best_cost_0_1 -
+        slice0winner3_best_cost_0_0) < 0 else slice0winner3_best_cost_0_0;
       slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0 when slice0winner4_best_index_0_0_is_less else
         slice0winner3_best_index_0_1;
       slice0winner4_best_below_0_0 <= slice0winner3_best_below_0_0 when slice0winner4_best_index_0_0_is_less else
@@ -2745,28 +2720,26 @@ begin
       slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice when slice0winner4_best_index_0_0_is_less
         else slice0winner3_best_above_0_1;
       slice0winner4_best_last_0_0 <= slice0winner3_best_last_0_1;
-      slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_2 when slice0winner4_best_index_0_0_is_less
-        else slice0winner4_best_second_0_0_choice_4;
-      slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0_1 when slice0winner3_best_but_last_0_1 <
-        slice0winner3_best_cost_0_0 else slice0winner3_best_cost_0_0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0winner4_best_place_0_0 <= slice0winner4_best_place_0_0_is_not_less;
+      slice0winner4_best_at_start_0_0 <= slice0winner4_best_below_0_0_is_equal and
+        slice0winner4_best_place_0_0_is_not_less;
+      slice0winner4_best_at_end_0_0 <= slice0winner4_best_index_0_0_is_less and slice0winner4_best_above_0_0_is_equal;
+      slice0winner4_best_late_cost_0_0 <= slice0winner4_best_cost_0_0;
+      slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_2 when
+        (slice0winner4_best_second_0_0_choice_2 - slice0winner4_best_second_0_0_choice_4) < 0 else
+        slice0winner4_best_second_0_0_choice_4;
+      slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0_1 when (slice0winner3_best_but_last_0_1 -
+        slice0winner3_best_late_cost_0_0) < 0 else slice0winner3_best_late_cost_0_0;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner4_best_below_0_0;
       slice0_best_above_0_0 <= slice0winner4_best_above_0_0;
       slice0_best_last_0_0 <= slice0winner4_best_last_0_0;
+      slice0_best_late_cost_0_0 <= slice0winner4_best_late_cost_0_0;
       slice0_best_second_0_0 <= slice0winner4_best_second_0_0;
       slice0_best_but_last_0_0 <= slice0winner4_best_but_last_0_0;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if other_101 then
         slice1shift_search_0_0 <= slice0shift_search_out_0;
         slice1shift_search_0_1 <= slice1shift_search_0_0;
         slice1shift_search_0_2 <= slice1shift_search_0_1;
@@ -2800,60 +2773,63 @@ begin
         slice1shift_search_1_14 <= slice1shift_search_1_13;
         slice1shift_search_1_15 <= slice1shift_search_1_14;
       end if;
-      slice1shift_reference_0 <= slice0shift_reference_0;
-      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_0 <= other_116;
+      slice1shift_reference_1 <= other_115;
       slice1shift_search_out_0 <= slice1shift_search_0_15;
       slice1shift_search_out_1 <= slice1shift_search_1_15;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 1024;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
+      slice1cost_column_0_0_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_0 mod 1024;
+      slice1cost_column_0_0_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_0 +
         slice1cost_column_0_0_choice) mod 1024;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 1024) mod 1024;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
+      slice1cost_column_0_1_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_0 / 1024)
+        mod 1024;
+      slice1cost_column_0_1_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_1 +
         slice1cost_column_0_1_choice) mod 1024;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 1048576;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
+      slice1cost_column_0_2_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_0 / 1048576;
+      slice1cost_column_0_2_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_2 +
         slice1cost_column_0_2_choice) mod 1024;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 1024;
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
+      slice1cost_column_0_3_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_1 mod 1024;
+      slice1cost_column_0_3_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_3 +
         slice1cost_column_0_3_choice) mod 1024;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_1 / 1024) mod 1024;
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
+      slice1cost_column_0_4_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_1 / 1024)
+        mod 1024;
+      slice1cost_column_0_4_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_4 +
         slice1cost_column_0_4_choice) mod 1024;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 1048576;
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
+      slice1cost_column_0_5_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_1 / 1048576;
+      slice1cost_column_0_5_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_5 +
         slice1cost_column_0_5_choice) mod 1024;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 1024;
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
+      slice1cost_column_0_6_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_2 mod 1024;
+      slice1cost_column_0_6_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_6 +
         slice1cost_column_0_6_choice) mod 1024;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_2 / 1024) mod 1024;
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
+      slice1cost_column_0_7_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_2 / 1024)
+        mod 1024;
+      slice1cost_column_0_7_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_7 +
         slice1cost_column_0_7_choice) mod 1024;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 1048576;
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
+      slice1cost_column_0_8_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_2 / 1048576;
+      slice1cost_column_0_8_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_8 +
         slice1cost_column_0_8_choice) mod 1024;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 1024;
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
+      slice1cost_column_0_9_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_3 mod 1024;
+      slice1cost_column_0_9_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_9 +
         slice1cost_column_0_9_choice) mod 1024;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_3 / 1024) mod
-        1024;
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
+      slice1cost_column_0_10_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_3 / 1024)
+        mod 1024;
+      slice1cost_column_0_10_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_10 +
         slice1cost_column_0_10_choice) mod 1024;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 1048576;
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
+      slice1cost_column_0_11_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_3 / 1048576;
+      slice1cost_column_0_11_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_11 +
         slice1cost_column_0_11_choice) mod 1024;
-      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 mod 1024;
-      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
+      slice1cost_column_0_12_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_4 mod 1024;
+      slice1cost_column_0_12_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_12 +
         slice1cost_column_0_12_choice) mod 1024;
-      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_4 / 1024) mod
-        1024;
-      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
+      slice1cost_column_0_13_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_4 / 1024)
+        mod 1024;
+      slice1cost_column_0_13_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_13 +
         slice1cost_column_0_13_choice) mod 1024;
-      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 / 1048576;
-      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
+      slice1cost_column_0_14_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_4 / 1048576;
+      slice1cost_column_0_14_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_14 +
         slice1cost_column_0_14_choice) mod 1024;
-      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5;
-      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
+      slice1cost_column_0_15_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_5;
+      slice1cost_column_0_15_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_15 +
         slice1cost_column_0_15_choice) mod 1024;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
@@ -2931,8 +2907,6 @@ begin
         0));
       slice1cost_pixels_cost_1_15 <= folded(slice1cost_pixels_first_1_15) + as_number((slice1cost_pixels_first_1_15 <
         0));
-      slice1cost_read_column <= slice0cost_read_column;
-      slice1cost_change_column <= slice1cost_read_column;
       slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
       slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
       slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
@@ -2955,6 +2929,9 @@ begin
       slice1cost_ready_words_3 <= to_integer(slice1cost_read_words_3);
       slice1cost_ready_words_4 <= to_integer(slice1cost_read_words_4);
       slice1cost_ready_words_5 <= to_integer(slice1cost_read_words_5);
+      slice1cost_ready_tag_valid <= slice0cost_ready_tag_valid;
+      slice1cost_ready_tag_first_group <= slice0cost_ready_tag_first_group;
+      slice1cost_ready_tag_border_column <= slice0cost_ready_tag_border_column;
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
@@ -2971,11 +2948,7 @@ begin
       slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
       slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
       slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
-      if slice0cost_ready_tag_valid then
-        slice1cost_ready_column <= slice1cost_change_column;
-      end if;
-      if slice0cost_tag_valid then
-        slice1cost_write_column <= slice0cost_write_column;
+      if slice1cost_ready_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 1024) + slice1cost_column_0_0_choice_2 +
           (slice1cost_column_0_2_choice_2 * 1048576);
         slice1cost_write_words_1 <= (slice1cost_column_0_4_choice_2 * 1024) + slice1cost_column_0_3_choice_2 +
@@ -2989,87 +2962,87 @@ begin
         slice1cost_write_words_5 <= slice1cost_column_0_15_choice_2;
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice2cost_ready_tag_valid then
         slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 15 else
           (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0));
       else
         slice1window_change_0_0_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(19 downto 10));
       else
         slice1window_change_0_1_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(29 downto 20));
       else
         slice1window_change_0_2_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(9 downto 0));
       else
         slice1window_change_0_3_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_4_choice := to_integer(slice1window_leaving_1(19 downto 10));
       else
         slice1window_change_0_4_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_5_choice := to_integer(slice1window_leaving_1(29 downto 20));
       else
         slice1window_change_0_5_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_6_choice := to_integer(slice1window_leaving_2(9 downto 0));
       else
         slice1window_change_0_6_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_7_choice := to_integer(slice1window_leaving_2(19 downto 10));
       else
         slice1window_change_0_7_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_8_choice := to_integer(slice1window_leaving_2(29 downto 20));
       else
         slice1window_change_0_8_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_9_choice := to_integer(slice1window_leaving_3(9 downto 0));
       else
         slice1window_change_0_9_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_10_choice := to_integer(slice1window_leaving_3(19 downto 10));
       else
         slice1window_change_0_10_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_11_choice := to_integer(slice1window_leaving_3(29 downto 20));
       else
         slice1window_change_0_11_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_12_choice := to_integer(slice1window_leaving_4(9 downto 0));
       else
         slice1window_change_0_12_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_13_choice := to_integer(slice1window_leaving_4(19 downto 10));
       else
         slice1window_change_0_13_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_14_choice := to_integer(slice1window_leaving_4(29 downto 20));
       else
         slice1window_change_0_14_choice := 0;
       end if;
-      if slice0window_change_tag_leaves_window then
+      if slice1window_entering_tag_leaves_window then
         slice1window_change_0_15_choice := to_integer(slice1window_leaving_5);
       else
         slice1window_change_0_15_choice := 0;
@@ -3090,6 +3063,7 @@ begin
       slice1window_entering_0_13 <= slice1cost_column_0_13;
       slice1window_entering_0_14 <= slice1cost_column_0_14;
       slice1window_entering_0_15 <= slice1cost_column_0_15;
+      slice1window_entering_tag_leaves_window <= slice0window_entering_tag_leaves_window;
       slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
       slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
       slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
@@ -3106,10 +3080,8 @@ begin
       slice1window_change_0_13 <= slice1window_entering_0_13 - slice1window_change_0_13_choice;
       slice1window_change_0_14 <= slice1window_entering_0_14 - slice1window_change_0_14_choice;
       slice1window_change_0_15 <= slice1window_entering_0_15 - slice1window_change_0_15_choice;
+      slice1window_change_tag_valid <= slice0window_change_tag_valid;
       slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
-      slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-      slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
       slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
       slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
@@ -3126,7 +3098,7 @@ begin
       slice1window_sum_0_13_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_13;
       slice1window_sum_0_14_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_14;
       slice1window_sum_0_15_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_15;
-      if slice0window_tag_valid then
+      if slice1window_change_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
         slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 16384;
@@ -3144,36 +3116,31 @@ begin
         slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 16384;
         slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 16384;
       end if;
-      if slice0winner2_tag_valid then
-        slice1window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_3;
-        slice1window_centre_start_of_frame_5 <= slice3window_centre_start_of_frame_3;
-      end if;
       -- slice1winner1
-      slice1winner1_best_index_0_0_is_not_less := slice1window_sum_0_0 >= slice1window_sum_0_1;
-      slice1winner1_best_index_0_1_is_less := slice1window_sum_0_2 < slice1window_sum_0_3;
-      slice1winner1_best_index_0_2_is_less := slice1window_sum_0_4 < slice1window_sum_0_5;
-      slice1winner1_best_index_0_3_is_less := slice1window_sum_0_6 < slice1window_sum_0_7;
-      slice1winner1_best_index_0_4_is_less := slice1window_sum_0_8 < slice1window_sum_0_9;
-      slice1winner1_best_index_0_5_is_less := slice1window_sum_0_10 < slice1window_sum_0_11;
-      slice1winner1_best_index_0_6_is_less := slice1window_sum_0_12 < slice1window_sum_0_13;
-      slice1winner1_best_index_0_7_is_less := slice1window_sum_0_14 < slice1window_sum_0_15;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1window_sum_0_1 < slice1window_sum_0_0 else
+      slice1winner1_best_index_0_1_is_less := (slice1window_sum_0_2 - slice1window_sum_0_3) < 0;
+      slice1winner1_best_index_0_2_is_less := (slice1window_sum_0_4 - slice1window_sum_0_5) < 0;
+      slice1winner1_best_index_0_3_is_less := (slice1window_sum_0_6 - slice1window_sum_0_7) < 0;
+      slice1winner1_best_index_0_4_is_less := (slice1window_sum_0_8 - slice1window_sum_0_9) < 0;
+      slice1winner1_best_index_0_5_is_less := (slice1window_sum_0_10 - slice1window_sum_0_11) < 0;
+      slice1winner1_best_index_0_6_is_less := (slice1window_sum_0_12 - slice1window_sum_0_13) < 0;
+      slice1winner1_best_index_0_7_is_less := (slice1window_sum_0_14 - slice1window_sum_0_15) < 0;
+      slice1winner1_best_below_0_0_is_not_less := (slice1window_sum_0_0 - slice1window_sum_0_1) >= 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 else
         slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1window_sum_0_3 < slice1window_sum_0_2 else
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when (slice1window_sum_0_3 - slice1window_sum_0_2) < 0 else
         slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1window_sum_0_5 < slice1window_sum_0_4 else
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when (slice1window_sum_0_5 - slice1window_sum_0_4) < 0 else
         slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1window_sum_0_7 < slice1window_sum_0_6 else
+      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when (slice1window_sum_0_7 - slice1window_sum_0_6) < 0 else
         slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1window_sum_0_9 < slice1window_sum_0_8 else
+      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when (slice1window_sum_0_9 - slice1window_sum_0_8) < 0 else
         slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1window_sum_0_11 < slice1window_sum_0_10 else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1window_sum_0_13 < slice1window_sum_0_12 else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1window_sum_0_15 < slice1window_sum_0_14 else
-        slice1window_sum_0_14;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_index_0_0_is_not_less;
+      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when (slice1window_sum_0_11 - slice1window_sum_0_10) < 0
+        else slice1window_sum_0_10;
+      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when (slice1window_sum_0_13 - slice1window_sum_0_12) < 0
+        else slice1window_sum_0_12;
+      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when (slice1window_sum_0_15 - slice1window_sum_0_14) < 0
+        else slice1window_sum_0_14;
       slice1winner1_best_index_0_1 <= 2 when slice1winner1_best_index_0_1_is_less else 3;
       slice1winner1_best_index_0_2 <= 4 when slice1winner1_best_index_0_2_is_less else 5;
       slice1winner1_best_index_0_3 <= 6 when slice1winner1_best_index_0_3_is_less else 7;
@@ -3181,7 +3148,7 @@ begin
       slice1winner1_best_index_0_5 <= 10 when slice1winner1_best_index_0_5_is_less else 11;
       slice1winner1_best_index_0_6 <= 12 when slice1winner1_best_index_0_6_is_less else 13;
       slice1winner1_best_index_0_7 <= 14 when slice1winner1_best_index_0_7_is_less else 15;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_index_0_0_is_not_less else 0;
+      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_below_0_0_is_not_less else 0;
       slice1winner1_best_below_0_1 <= 0 when slice1winner1_best_index_0_1_is_less else slice1window_sum_0_2;
       slice1winner1_best_below_0_2 <= 0 when slice1winner1_best_index_0_2_is_less else slice1window_sum_0_4;
       slice1winner1_best_below_0_3 <= 0 when slice1winner1_best_index_0_3_is_less else slice1window_sum_0_6;
@@ -3189,7 +3156,7 @@ begin
       slice1winner1_best_below_0_5 <= 0 when slice1winner1_best_index_0_5_is_less else slice1window_sum_0_10;
       slice1winner1_best_below_0_6 <= 0 when slice1winner1_best_index_0_6_is_less else slice1window_sum_0_12;
       slice1winner1_best_below_0_7 <= 0 when slice1winner1_best_index_0_7_is_less else slice1window_sum_0_14;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_index_0_0_is_not_less else slice1window_sum_0_1;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_below_0_0_is_not_less else slice1window_sum_0_1;
       slice1winner1_best_above_0_1 <= slice1window_sum_0_3 when slice1winner1_best_index_0_1_is_less else 0;
       slice1winner1_best_above_0_2 <= slice1window_sum_0_5 when slice1winner1_best_index_0_2_is_less else 0;
       slice1winner1_best_above_0_3 <= slice1window_sum_0_7 when slice1winner1_best_index_0_3_is_less else 0;
@@ -3198,120 +3165,132 @@ begin
       slice1winner1_best_above_0_6 <= slice1window_sum_0_13 when slice1winner1_best_index_0_6_is_less else 0;
       slice1winner1_best_above_0_7 <= slice1window_sum_0_15 when slice1winner1_best_index_0_7_is_less else 0;
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
-      slice1winner1_best_first_0_1 <= slice1window_sum_0_2 when slice1window_sum_0_2 < 16383 else 16383;
+      slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
       slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
-      slice1winner1_best_first_0_3 <= slice1window_sum_0_6 when slice1window_sum_0_6 < 16383 else 16383;
+      slice1winner1_best_first_0_3 <= slice1window_sum_0_6;
       slice1winner1_best_first_0_4 <= slice1window_sum_0_8;
-      slice1winner1_best_first_0_5 <= slice1window_sum_0_10 when slice1window_sum_0_10 < 16383 else 16383;
+      slice1winner1_best_first_0_5 <= slice1window_sum_0_10;
       slice1winner1_best_first_0_6 <= slice1window_sum_0_12;
-      slice1winner1_best_first_0_7 <= slice1window_sum_0_14 when slice1window_sum_0_14 < 16383 else 16383;
-      slice1winner1_best_last_0_0 <= slice1window_sum_0_1 when slice1window_sum_0_1 < 16383 else 16383;
+      slice1winner1_best_first_0_7 <= slice1window_sum_0_14;
+      slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
       slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
-      slice1winner1_best_last_0_2 <= slice1window_sum_0_5 when slice1window_sum_0_5 < 16383 else 16383;
+      slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
       slice1winner1_best_last_0_3 <= slice1window_sum_0_7;
-      slice1winner1_best_last_0_4 <= slice1window_sum_0_9 when slice1window_sum_0_9 < 16383 else 16383;
+      slice1winner1_best_last_0_4 <= slice1window_sum_0_9;
       slice1winner1_best_last_0_5 <= slice1window_sum_0_11;
-      slice1winner1_best_last_0_6 <= slice1window_sum_0_13 when slice1window_sum_0_13 < 16383 else 16383;
+      slice1winner1_best_last_0_6 <= slice1window_sum_0_13;
       slice1winner1_best_last_0_7 <= slice1window_sum_0_15;
-      slice1winner1_best_but_first_0_0 <= slice1window_sum_0_1;
-      slice1winner1_best_but_first_0_1 <= slice1window_sum_0_3 when slice1window_sum_0_3 < 16383 else 16383;
-      slice1winner1_best_but_first_0_2 <= slice1window_sum_0_5;
-      slice1winner1_best_but_first_0_3 <= slice1window_sum_0_7 when slice1window_sum_0_7 < 16383 else 16383;
-      slice1winner1_best_but_first_0_4 <= slice1window_sum_0_9;
-      slice1winner1_best_but_first_0_5 <= slice1window_sum_0_11 when slice1window_sum_0_11 < 16383 else 16383;
-      slice1winner1_best_but_first_0_6 <= slice1window_sum_0_13;
-      slice1winner1_best_but_first_0_7 <= slice1window_sum_0_15 when slice1window_sum_0_15 < 16383 else 16383;
-      slice1winner1_best_but_last_0_0 <= slice1window_sum_0_0 when slice1window_sum_0_0 < 16383 else 16383;
-      slice1winner1_best_but_last_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_but_last_0_2 <= slice1window_sum_0_4 when slice1window_sum_0_4 < 16383 else 16383;
-      slice1winner1_best_but_last_0_3 <= slice1window_sum_0_6;
-      slice1winner1_best_but_last_0_4 <= slice1window_sum_0_8 when slice1window_sum_0_8 < 16383 else 16383;
-      slice1winner1_best_but_last_0_5 <= slice1window_sum_0_10;
-      slice1winner1_best_but_last_0_6 <= slice1window_sum_0_12 when slice1window_sum_0_12 < 16383 else 16383;
-      slice1winner1_best_but_last_0_7 <= slice1window_sum_0_14;
+      slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
+      slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
+      slice1winner1_best_late_cost_0_2 <= slice1winner1_best_cost_0_2;
+      slice1winner1_best_late_cost_0_3 <= slice1winner1_best_cost_0_3;
+      slice1winner1_best_late_cost_0_4 <= slice1winner1_best_cost_0_4;
+      slice1winner1_best_late_cost_0_5 <= slice1winner1_best_cost_0_5;
+      slice1winner1_best_late_cost_0_6 <= slice1winner1_best_cost_0_6;
+      slice1winner1_best_late_cost_0_7 <= slice1winner1_best_cost_0_7;
+      slice1winner1_best_but_first_0_0 <= slice1winner1_best_last_0_0;
+      slice1winner1_best_but_first_0_1 <= slice1winner1_best_last_0_1;
+      slice1winner1_best_but_first_0_2 <= slice1winner1_best_last_0_2;
+      slice1winner1_best_but_first_0_3 <= slice1winner1_best_last_0_3;
+      slice1winner1_best_but_first_0_4 <= slice1winner1_best_last_0_4;
+      slice1winner1_best_but_first_0_5 <= slice1winner1_best_last_0_5;
+      slice1winner1_best_but_first_0_6 <= slice1winner1_best_last_0_6;
+      slice1winner1_best_but_first_0_7 <= slice1winner1_best_last_0_7;
+      slice1winner1_best_but_last_0_0 <= slice1winner1_best_first_0_0;
+      slice1winner1_best_but_last_0_1 <= slice1winner1_best_first_0_1;
+      slice1winner1_best_but_last_0_2 <= slice1winner1_best_first_0_2;
+      slice1winner1_best_but_last_0_3 <= slice1winner1_best_first_0_3;
+      slice1winner1_best_but_last_0_4 <= slice1winner1_best_first_0_4;
+      slice1winner1_best_but_last_0_5 <= slice1winner1_best_first_0_5;
+      slice1winner1_best_but_last_0_6 <= slice1winner1_best_first_0_6;
+      slice1winner1_best_but_last_0_7 <= slice1winner1_best_first_0_7;
       -- slice1winner2
-      slice1winner2_best_index_0_0_is_less := slice1winner1_best_cost_0_0 < slice1winner1_best_cost_0_1;
-      slice1winner2_best_index_0_1_is_less := slice1winner1_best_cost_0_2 < slice1winner1_best_cost_0_3;
-      slice1winner2_best_index_0_2_is_less := slice1winner1_best_cost_0_4 < slice1winner1_best_cost_0_5;
-      slice1winner2_best_index_0_3_is_less := slice1winner1_best_cost_0_6 < slice1winner1_best_cost_0_7;
-      slice1winner2_best_below_0_0_choice := slice1winner1_best_but_first_0_0 when other_7 else
+      slice1winner2_best_index_0_0_is_not_less := (slice1winner1_best_cost_0_0 - slice1winner1_best_cost_0_1) >= 0;
+      slice1winner2_best_index_0_1_is_not_less := (slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) >= 0;
+      slice1winner2_best_index_0_2_is_not_less := (slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) >= 0;
+      slice1winner2_best_index_0_3_is_not_less := (slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) >= 0;
+      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when other_23 else
         slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_best_but_first_0_2 when other_8 else
+      slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when other_26 else
         slice1winner1_best_below_0_3;
-      slice1winner2_best_below_0_2_choice := slice1winner1_best_but_first_0_4 when other_9 else
+      slice1winner2_best_below_0_2_choice := slice1winner1_best_last_0_4 when other_27 else
         slice1winner1_best_below_0_5;
-      slice1winner2_best_below_0_3_choice := slice1winner1_best_but_first_0_6 when other_10 else
+      slice1winner2_best_below_0_3_choice := slice1winner1_best_last_0_6 when other_28 else
         slice1winner1_best_below_0_7;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_but_last_0_1 when slice1winner1_best_index_0_0 else
+      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when other_12 else
         slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_all := ((slice1winner1_best_index_0_2 / 4) = 1) and ((slice1winner1_best_index_0_2
-        mod 2) = 1);
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_but_last_0_3 when slice1winner2_best_above_0_1_all else
-        slice1winner1_best_above_0_2;
-      slice1winner2_best_above_0_2_all := ((slice1winner1_best_index_0_4 / 8) = 1) and ((slice1winner1_best_index_0_4
-        mod 2) = 1);
-      slice1winner2_best_above_0_2_choice := slice1winner1_best_but_last_0_5 when slice1winner2_best_above_0_2_all else
-        slice1winner1_best_above_0_4;
-      slice1winner2_best_above_0_3_all := ((slice1winner1_best_index_0_6 / 8) = 1) and (((slice1winner1_best_index_0_6
-        / 4) mod 2) = 1) and ((slice1winner1_best_index_0_6 mod 2) = 1);
-      slice1winner2_best_above_0_3_choice := slice1winner1_best_but_last_0_7 when slice1winner2_best_above_0_3_all else
+      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when ((slice1winner1_best_index_0_2 / 4) = 1)
+        and ((slice1winner1_best_index_0_2 mod 2) = 1) else slice1winner1_best_above_0_2;
+      slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5 when ((slice1winner1_best_index_0_4 / 8) = 1)
+        and ((slice1winner1_best_index_0_4 mod 2) = 1) else slice1winner1_best_above_0_4;
+      slice1winner2_best_above_0_3_value := ((slice1winner1_best_index_0_6 / 4) mod 2) = 1;
+      slice1winner2_best_above_0_3_choice := slice1winner1_best_first_0_7 when ((slice1winner1_best_index_0_6 / 8) = 1)
+        and slice1winner2_best_above_0_3_value and ((slice1winner1_best_index_0_6 mod 2) = 1) else
         slice1winner1_best_above_0_6;
-      slice1winner2_best_second_0_0_choice := slice1winner1_best_but_first_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_cost_0_1;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_last_0_0 when other_7 else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner2_best_second_0_0_choice when
-        slice1winner2_best_index_0_0_is_less else slice1winner2_best_second_0_0_choice_2;
-      slice1winner2_best_second_0_1_choice := slice1winner1_best_but_first_0_3 when slice1winner2_best_above_0_1_all
-        else slice1winner1_best_cost_0_3;
-      slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_last_0_2 when other_8 else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_second_0_1_choice_3 := slice1winner2_best_second_0_1_choice when
-        slice1winner2_best_index_0_1_is_less else slice1winner2_best_second_0_1_choice_2;
-      slice1winner2_best_second_0_2_choice := slice1winner1_best_but_first_0_5 when slice1winner2_best_above_0_2_all
-        else slice1winner1_best_cost_0_5;
-      slice1winner2_best_second_0_2_choice_2 := slice1winner1_best_but_last_0_4 when other_9 else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_second_0_2_choice_3 := slice1winner2_best_second_0_2_choice when
-        slice1winner2_best_index_0_2_is_less else slice1winner2_best_second_0_2_choice_2;
-      slice1winner2_best_second_0_3_choice := slice1winner1_best_but_first_0_7 when slice1winner2_best_above_0_3_all
-        else slice1winner1_best_cost_0_7;
-      slice1winner2_best_second_0_3_choice_2 := slice1winner1_best_but_last_0_6 when other_10 else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_second_0_3_choice_3 := slice1winner2_best_second_0_3_choice when
-        slice1winner2_best_index_0_3_is_less else slice1winner2_best_second_0_3_choice_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner1_best_cost_0_1 <
-        slice1winner1_best_cost_0_0 else slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner1_best_cost_0_3 <
-        slice1winner1_best_cost_0_2 else slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner1_best_cost_0_5 <
-        slice1winner1_best_cost_0_4 else slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner1_best_cost_0_7 <
-        slice1winner1_best_cost_0_6 else slice1winner1_best_cost_0_6;
-      slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0) when slice1winner2_best_index_0_0_is_less
-        else slice1winner1_best_index_0_1;
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2 when slice1winner2_best_index_0_1_is_less else
-        slice1winner1_best_index_0_3;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4 when slice1winner2_best_index_0_2_is_less else
-        slice1winner1_best_index_0_5;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6 when slice1winner2_best_index_0_3_is_less else
-        slice1winner1_best_index_0_7;
-      slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0 when slice1winner2_best_index_0_0_is_less else
-        slice1winner2_best_below_0_0_choice;
-      slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2 when slice1winner2_best_index_0_1_is_less else
-        slice1winner2_best_below_0_1_choice;
-      slice1winner2_best_below_0_2 <= slice1winner1_best_below_0_4 when slice1winner2_best_index_0_2_is_less else
-        slice1winner2_best_below_0_2_choice;
-      slice1winner2_best_below_0_3 <= slice1winner1_best_below_0_6 when slice1winner2_best_index_0_3_is_less else
-        slice1winner2_best_below_0_3_choice;
-      slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice when slice1winner2_best_index_0_0_is_less
-        else slice1winner1_best_above_0_1;
-      slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice when slice1winner2_best_index_0_1_is_less
-        else slice1winner1_best_above_0_3;
-      slice1winner2_best_above_0_2 <= slice1winner2_best_above_0_2_choice when slice1winner2_best_index_0_2_is_less
-        else slice1winner1_best_above_0_5;
-      slice1winner2_best_above_0_3 <= slice1winner2_best_above_0_3_choice when slice1winner2_best_index_0_3_is_less
-        else slice1winner1_best_above_0_7;
+      slice1winner2_best_second_0_0_choice := 16383 when slice1winner2_best_place_0_0 else
+        slice1winner1_best_late_cost_0_1;
+      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1 when slice1winner2_best_at_end_0_0
+        else slice1winner2_best_second_0_0_choice;
+      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
+        16383;
+      slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
+        else slice1winner2_best_second_0_0_choice_3;
+      slice1winner2_best_second_0_1_choice := 16383 when slice1winner2_best_place_0_1 else
+        slice1winner1_best_late_cost_0_3;
+      slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_first_0_3 when slice1winner2_best_at_end_0_1
+        else slice1winner2_best_second_0_1_choice;
+      slice1winner2_best_second_0_1_choice_3 := slice1winner1_best_late_cost_0_2 when slice1winner2_best_place_0_1 else
+        16383;
+      slice1winner2_best_second_0_1_choice_4 := slice1winner1_best_but_last_0_2 when slice1winner2_best_at_start_0_1
+        else slice1winner2_best_second_0_1_choice_3;
+      slice1winner2_best_second_0_2_choice := 16383 when slice1winner2_best_place_0_2 else
+        slice1winner1_best_late_cost_0_5;
+      slice1winner2_best_second_0_2_choice_2 := slice1winner1_best_but_first_0_5 when slice1winner2_best_at_end_0_2
+        else slice1winner2_best_second_0_2_choice;
+      slice1winner2_best_second_0_2_choice_3 := slice1winner1_best_late_cost_0_4 when slice1winner2_best_place_0_2 else
+        16383;
+      slice1winner2_best_second_0_2_choice_4 := slice1winner1_best_but_last_0_4 when slice1winner2_best_at_start_0_2
+        else slice1winner2_best_second_0_2_choice_3;
+      slice1winner2_best_second_0_3_choice := 16383 when slice1winner2_best_place_0_3 else
+        slice1winner1_best_late_cost_0_7;
+      slice1winner2_best_second_0_3_choice_2 := slice1winner1_best_but_first_0_7 when slice1winner2_best_at_end_0_3
+        else slice1winner2_best_second_0_3_choice;
+      slice1winner2_best_second_0_3_choice_3 := slice1winner1_best_late_cost_0_6 when slice1winner2_best_place_0_3 else
+        16383;
+      slice1winner2_best_second_0_3_choice_4 := slice1winner1_best_but_last_0_6 when slice1winner2_best_at_start_0_3
+        else slice1winner2_best_second_0_3_choice_3;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when (slice1winner1_best_cost_0_1 -
+        slice1winner1_best_cost_0_0) < 0 else slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when (slice1winner1_best_cost_0_3 -
+        slice1winner1_best_cost_0_2) < 0 else slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when (slice1winner1_best_cost_0_5 -
+        slice1winner1_best_cost_0_4) < 0 else slice1winner1_best_cost_0_4;
+      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when (slice1winner1_best_cost_0_7 -
+        slice1winner1_best_cost_0_6) < 0 else slice1winner1_best_cost_0_6;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_index_0_0_is_not_less else
+        as_number(other_12);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_index_0_1_is_not_less else
+        slice1winner1_best_index_0_2;
+      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_index_0_2_is_not_less else
+        slice1winner1_best_index_0_4;
+      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_index_0_3_is_not_less else
+        slice1winner1_best_index_0_6;
+      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_index_0_0_is_not_less
+        else slice1winner1_best_below_0_0;
+      slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice when slice1winner2_best_index_0_1_is_not_less
+        else slice1winner1_best_below_0_2;
+      slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice when slice1winner2_best_index_0_2_is_not_less
+        else slice1winner1_best_below_0_4;
+      slice1winner2_best_below_0_3 <= slice1winner2_best_below_0_3_choice when slice1winner2_best_index_0_3_is_not_less
+        else slice1winner1_best_below_0_6;
+      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_index_0_0_is_not_less else
+        slice1winner2_best_above_0_0_choice;
+      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3 when slice1winner2_best_index_0_1_is_not_less else
+        slice1winner2_best_above_0_1_choice;
+      slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5 when slice1winner2_best_index_0_2_is_not_less else
+        slice1winner2_best_above_0_2_choice;
+      slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7 when slice1winner2_best_index_0_3_is_not_less else
+        slice1winner2_best_above_0_3_choice;
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
       slice1winner2_best_first_0_2 <= slice1winner1_best_first_0_4;
@@ -3320,33 +3299,57 @@ begin
       slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_3;
       slice1winner2_best_last_0_2 <= slice1winner1_best_last_0_5;
       slice1winner2_best_last_0_3 <= slice1winner1_best_last_0_7;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_3 when
-        slice1winner2_best_second_0_0_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_3 when
-        slice1winner2_best_second_0_1_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_3 when
-        slice1winner2_best_second_0_2_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_3 when
-        slice1winner2_best_second_0_3_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_cost_0_1 when slice1winner1_best_cost_0_1 <
-        slice1winner1_best_last_0_0 else slice1winner1_best_last_0_0;
-      slice1winner2_best_but_first_0_1 <= slice1winner1_best_cost_0_3 when slice1winner1_best_cost_0_3 <
-        slice1winner1_best_last_0_2 else slice1winner1_best_last_0_2;
-      slice1winner2_best_but_first_0_2 <= slice1winner1_best_cost_0_5 when slice1winner1_best_cost_0_5 <
-        slice1winner1_best_last_0_4 else slice1winner1_best_last_0_4;
-      slice1winner2_best_but_first_0_3 <= slice1winner1_best_cost_0_7 when slice1winner1_best_cost_0_7 <
-        slice1winner1_best_last_0_6 else slice1winner1_best_last_0_6;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_first_0_1 when slice1winner1_best_first_0_1 <
-        slice1winner1_best_cost_0_0 else slice1winner1_best_cost_0_0;
-      slice1winner2_best_but_last_0_1 <= slice1winner1_best_first_0_3 when slice1winner1_best_first_0_3 <
-        slice1winner1_best_cost_0_2 else slice1winner1_best_cost_0_2;
-      slice1winner2_best_but_last_0_2 <= slice1winner1_best_first_0_5 when slice1winner1_best_first_0_5 <
-        slice1winner1_best_cost_0_4 else slice1winner1_best_cost_0_4;
-      slice1winner2_best_but_last_0_3 <= slice1winner1_best_first_0_7 when slice1winner1_best_first_0_7 <
-        slice1winner1_best_cost_0_6 else slice1winner1_best_cost_0_6;
+      slice1winner2_best_place_0_0 <= slice1winner2_best_index_0_0_is_not_less;
+      slice1winner2_best_place_0_1 <= slice1winner2_best_index_0_1_is_not_less;
+      slice1winner2_best_place_0_2 <= slice1winner2_best_index_0_2_is_not_less;
+      slice1winner2_best_place_0_3 <= slice1winner2_best_index_0_3_is_not_less;
+      slice1winner2_best_at_start_0_0 <= other_23 and slice1winner2_best_index_0_0_is_not_less;
+      slice1winner2_best_at_start_0_1 <= other_26 and slice1winner2_best_index_0_1_is_not_less;
+      slice1winner2_best_at_start_0_2 <= other_27 and slice1winner2_best_index_0_2_is_not_less;
+      slice1winner2_best_at_start_0_3 <= other_28 and slice1winner2_best_index_0_3_is_not_less;
+      slice1winner2_best_at_end_0_0 <= other_12 and ((slice1winner1_best_cost_0_0 - slice1winner1_best_cost_0_1) < 0);
+      slice1winner2_best_at_end_0_1 <= ((slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) < 0) and
+        ((slice1winner1_best_index_0_2 / 4) = 1) and ((slice1winner1_best_index_0_2 mod 2) = 1);
+      slice1winner2_best_at_end_0_2 <= ((slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) < 0) and
+        ((slice1winner1_best_index_0_4 / 8) = 1) and ((slice1winner1_best_index_0_4 mod 2) = 1);
+      slice1winner2_best_at_end_0_3 <= ((slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) < 0) and
+        ((slice1winner1_best_index_0_6 / 8) = 1) and slice1winner2_best_above_0_3_value and
+        ((slice1winner1_best_index_0_6 mod 2) = 1);
+      slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
+      slice1winner2_best_late_cost_0_1 <= slice1winner2_best_cost_0_1;
+      slice1winner2_best_late_cost_0_2 <= slice1winner2_best_cost_0_2;
+      slice1winner2_best_late_cost_0_3 <= slice1winner2_best_cost_0_3;
+      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2 when
+        (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 else
+        slice1winner2_best_second_0_0_choice_4;
+      slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_2 when
+        (slice1winner2_best_second_0_1_choice_2 - slice1winner2_best_second_0_1_choice_4) < 0 else
+        slice1winner2_best_second_0_1_choice_4;
+      slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_2 when
+        (slice1winner2_best_second_0_2_choice_2 - slice1winner2_best_second_0_2_choice_4) < 0 else
+        slice1winner2_best_second_0_2_choice_4;
+      slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_2 when
+        (slice1winner2_best_second_0_3_choice_2 - slice1winner2_best_second_0_3_choice_4) < 0 else
+        slice1winner2_best_second_0_3_choice_4;
+      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
+        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
+      slice1winner2_best_but_first_0_1 <= slice1winner1_best_late_cost_0_3 when (slice1winner1_best_late_cost_0_3 -
+        slice1winner1_best_but_first_0_2) < 0 else slice1winner1_best_but_first_0_2;
+      slice1winner2_best_but_first_0_2 <= slice1winner1_best_late_cost_0_5 when (slice1winner1_best_late_cost_0_5 -
+        slice1winner1_best_but_first_0_4) < 0 else slice1winner1_best_but_first_0_4;
+      slice1winner2_best_but_first_0_3 <= slice1winner1_best_late_cost_0_7 when (slice1winner1_best_late_cost_0_7 -
+        slice1winner1_best_but_first_0_6) < 0 else slice1winner1_best_but_first_0_6;
+      slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1 when (slice1winner1_best_but_last_0_1 -
+        slice1winner1_best_late_cost_0_0) < 0 else slice1winner1_best_late_cost_0_0;
+      slice1winner2_best_but_last_0_1 <= slice1winner1_best_but_last_0_3 when (slice1winner1_best_but_last_0_3 -
+        slice1winner1_best_late_cost_0_2) < 0 else slice1winner1_best_late_cost_0_2;
+      slice1winner2_best_but_last_0_2 <= slice1winner1_best_but_last_0_5 when (slice1winner1_best_but_last_0_5 -
+        slice1winner1_best_late_cost_0_4) < 0 else slice1winner1_best_late_cost_0_4;
+      slice1winner2_best_but_last_0_3 <= slice1winner1_best_but_last_0_7 when (slice1winner1_best_but_last_0_7 -
+        slice1winner1_best_late_cost_0_6) < 0 else slice1winner1_best_late_cost_0_6;
       -- slice1winner3
-      slice1winner3_best_index_0_0_is_less := slice1winner2_best_cost_0_0 < slice1winner2_best_cost_0_1;
-      slice1winner3_best_index_0_1_is_less := slice1winner2_best_cost_0_2 < slice1winner2_best_cost_0_3;
+      slice1winner3_best_index_0_0_is_not_less := (slice1winner2_best_cost_0_0 - slice1winner2_best_cost_0_1) >= 0;
+      slice1winner3_best_index_0_1_is_not_less := (slice1winner2_best_cost_0_2 - slice1winner2_best_cost_0_3) >= 0;
       slice1winner3_best_below_0_0_is_equal := slice1winner2_best_index_0_1 = 4;
       slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner3_best_below_0_0_is_equal
         else slice1winner2_best_below_0_1;
@@ -3356,76 +3359,90 @@ begin
       slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
       slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner3_best_above_0_0_is_equal
         else slice1winner2_best_above_0_0;
-      slice1winner3_best_above_0_1_all := ((slice1winner2_best_index_0_2 / 8) = 1) and ((slice1winner2_best_index_0_2
-        mod 4) = 3);
-      slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3 when slice1winner3_best_above_0_1_all else
-        slice1winner2_best_above_0_2;
-      slice1winner3_best_second_0_0_choice := slice1winner2_best_but_first_0_1 when
-        slice1winner3_best_above_0_0_is_equal else slice1winner2_best_cost_0_1;
-      slice1winner3_best_second_0_0_choice_2 := slice1winner3_best_second_0_0_choice when
-        slice1winner3_best_second_0_0_choice < slice1winner2_best_second_0_0 else slice1winner2_best_second_0_0;
-      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_but_last_0_0 when
-        slice1winner3_best_below_0_0_is_equal else slice1winner2_best_cost_0_0;
-      slice1winner3_best_second_0_0_choice_4 := slice1winner3_best_second_0_0_choice_3 when
-        slice1winner3_best_second_0_0_choice_3 < slice1winner2_best_second_0_1 else slice1winner2_best_second_0_1;
-      slice1winner3_best_second_0_1_choice := slice1winner2_best_but_first_0_3 when slice1winner3_best_above_0_1_all
-        else slice1winner2_best_cost_0_3;
-      slice1winner3_best_second_0_1_choice_2 := slice1winner3_best_second_0_1_choice when
-        slice1winner3_best_second_0_1_choice < slice1winner2_best_second_0_2 else slice1winner2_best_second_0_2;
-      slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_but_last_0_2 when
-        slice1winner3_best_below_0_1_is_equal else slice1winner2_best_cost_0_2;
-      slice1winner3_best_second_0_1_choice_4 := slice1winner3_best_second_0_1_choice_3 when
-        slice1winner3_best_second_0_1_choice_3 < slice1winner2_best_second_0_3 else slice1winner2_best_second_0_3;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner2_best_cost_0_1 <
-        slice1winner2_best_cost_0_0 else slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner2_best_cost_0_3 <
-        slice1winner2_best_cost_0_2 else slice1winner2_best_cost_0_2;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0 when slice1winner3_best_index_0_0_is_less else
-        slice1winner2_best_index_0_1;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2 when slice1winner3_best_index_0_1_is_less else
-        slice1winner2_best_index_0_3;
-      slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0 when slice1winner3_best_index_0_0_is_less else
-        slice1winner3_best_below_0_0_choice;
-      slice1winner3_best_below_0_1 <= slice1winner2_best_below_0_2 when slice1winner3_best_index_0_1_is_less else
-        slice1winner3_best_below_0_1_choice;
-      slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice when slice1winner3_best_index_0_0_is_less
-        else slice1winner2_best_above_0_1;
-      slice1winner3_best_above_0_1 <= slice1winner3_best_above_0_1_choice when slice1winner3_best_index_0_1_is_less
-        else slice1winner2_best_above_0_3;
+      slice1winner3_best_above_0_1_is_equal := (slice1winner2_best_index_0_2 mod 4) = 3;
+      slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3 when ((slice1winner2_best_index_0_2 / 8) = 1)
+        and slice1winner3_best_above_0_1_is_equal else slice1winner2_best_above_0_2;
+      slice1winner3_best_second_0_0_choice := slice1winner2_best_second_0_1 when slice1winner3_best_place_0_0 else
+        slice1winner2_best_late_cost_0_1;
+      slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1 when slice1winner3_best_at_end_0_0
+        else slice1winner3_best_second_0_0_choice;
+      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1winner3_best_place_0_0 else
+        slice1winner2_best_second_0_0;
+      slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1winner3_best_at_start_0_0
+        else slice1winner3_best_second_0_0_choice_3;
+      slice1winner3_best_second_0_1_choice := slice1winner2_best_second_0_3 when slice1winner3_best_place_0_1 else
+        slice1winner2_best_late_cost_0_3;
+      slice1winner3_best_second_0_1_choice_2 := slice1winner2_best_but_first_0_3 when slice1winner3_best_at_end_0_1
+        else slice1winner3_best_second_0_1_choice;
+      slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_late_cost_0_2 when slice1winner3_best_place_0_1 else
+        slice1winner2_best_second_0_2;
+      slice1winner3_best_second_0_1_choice_4 := slice1winner2_best_but_last_0_2 when slice1winner3_best_at_start_0_1
+        else slice1winner3_best_second_0_1_choice_3;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when (slice1winner2_best_cost_0_1 -
+        slice1winner2_best_cost_0_0) < 0 else slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when (slice1winner2_best_cost_0_3 -
+        slice1winner2_best_cost_0_2) < 0 else slice1winner2_best_cost_0_2;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_index_0_0_is_not_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_index_0_1_is_not_less else
+        slice1winner2_best_index_0_2;
+      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_index_0_0_is_not_less
+        else slice1winner2_best_below_0_0;
+      slice1winner3_best_below_0_1 <= slice1winner3_best_below_0_1_choice when slice1winner3_best_index_0_1_is_not_less
+        else slice1winner2_best_below_0_2;
+      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_index_0_0_is_not_less else
+        slice1winner3_best_above_0_0_choice;
+      slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_3 when slice1winner3_best_index_0_1_is_not_less else
+        slice1winner3_best_above_0_1_choice;
       slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1winner3_best_first_0_1 <= slice1winner2_best_first_0_2;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
       slice1winner3_best_last_0_1 <= slice1winner2_best_last_0_3;
-      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when slice1winner3_best_index_0_0_is_less
-        else slice1winner3_best_second_0_0_choice_4;
-      slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_2 when slice1winner3_best_index_0_1_is_less
-        else slice1winner3_best_second_0_1_choice_4;
-      slice1winner3_best_but_first_0_0 <= slice1winner2_best_cost_0_1 when slice1winner2_best_cost_0_1 <
-        slice1winner2_best_but_first_0_0 else slice1winner2_best_but_first_0_0;
-      slice1winner3_best_but_first_0_1 <= slice1winner2_best_cost_0_3 when slice1winner2_best_cost_0_3 <
-        slice1winner2_best_but_first_0_2 else slice1winner2_best_but_first_0_2;
-      slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1 when slice1winner2_best_but_last_0_1 <
-        slice1winner2_best_cost_0_0 else slice1winner2_best_cost_0_0;
-      slice1winner3_best_but_last_0_1 <= slice1winner2_best_but_last_0_3 when slice1winner2_best_but_last_0_3 <
-        slice1winner2_best_cost_0_2 else slice1winner2_best_cost_0_2;
+      slice1winner3_best_place_0_0 <= slice1winner3_best_index_0_0_is_not_less;
+      slice1winner3_best_place_0_1 <= slice1winner3_best_index_0_1_is_not_less;
+      slice1winner3_best_at_start_0_0 <= slice1winner3_best_index_0_0_is_not_less and
+        slice1winner3_best_below_0_0_is_equal;
+      slice1winner3_best_at_start_0_1 <= slice1winner3_best_below_0_1_is_equal and
+        slice1winner3_best_index_0_1_is_not_less;
+      slice1winner3_best_at_end_0_0 <= ((slice1winner2_best_cost_0_0 - slice1winner2_best_cost_0_1) < 0) and
+        slice1winner3_best_above_0_0_is_equal;
+      slice1winner3_best_at_end_0_1 <= ((slice1winner2_best_cost_0_2 - slice1winner2_best_cost_0_3) < 0) and
+        ((slice1winner2_best_index_0_2 / 8) = 1) and slice1winner3_best_above_0_1_is_equal;
+      slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
+      slice1winner3_best_late_cost_0_1 <= slice1winner3_best_cost_0_1;
+      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when
+        (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 else
+        slice1winner3_best_second_0_0_choice_4;
+      slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_2 when
+        (slice1winner3_best_second_0_1_choice_2 - slice1winner3_best_second_0_1_choice_4) < 0 else
+        slice1winner3_best_second_0_1_choice_4;
+      slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1 when (slice1winner2_best_late_cost_0_1 -
+        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
+      slice1winner3_best_but_first_0_1 <= slice1winner2_best_late_cost_0_3 when (slice1winner2_best_late_cost_0_3 -
+        slice1winner2_best_but_first_0_2) < 0 else slice1winner2_best_but_first_0_2;
+      slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1 when (slice1winner2_best_but_last_0_1 -
+        slice1winner2_best_late_cost_0_0) < 0 else slice1winner2_best_late_cost_0_0;
+      slice1winner3_best_but_last_0_1 <= slice1winner2_best_but_last_0_3 when (slice1winner2_best_but_last_0_3 -
+        slice1winner2_best_late_cost_0_2) < 0 else slice1winner2_best_late_cost_0_2;
       -- slice1winner4
-      slice1winner4_best_index_0_0_is_less := slice1winner3_best_cost_0_0 < slice1winner3_best_cost_0_1;
+      slice1winner4_best_index_0_0_is_less := (slice1winner3_best_cost_0_0 - slice1winner3_best_cost_0_1) < 0;
       slice1winner4_best_below_0_0_is_equal := slice1winner3_best_index_0_1 = 8;
       slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice1winner4_best_below_0_0_is_equal
         else slice1winner3_best_below_0_1;
       slice1winner4_best_above_0_0_is_equal := slice1winner3_best_index_0_0 = 7;
       slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1 when slice1winner4_best_above_0_0_is_equal
         else slice1winner3_best_above_0_0;
-      slice1winner4_best_second_0_0_choice := slice1winner3_best_but_first_0_1 when
-        slice1winner4_best_above_0_0_is_equal else slice1winner3_best_cost_0_1;
-      slice1winner4_best_second_0_0_choice_2 := slice1winner4_best_second_0_0_choice when
-        slice1winner4_best_second_0_0_choice < slice1winner3_best_second_0_0 else slice1winner3_best_second_0_0;
-      slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_but_last_0_0 when
-        slice1winner4_best_below_0_0_is_equal else slice1winner3_best_cost_0_0;
-      slice1winner4_best_second_0_0_choice_4 := slice1winner4_best_second_0_0_choice_3 when
-        slice1winner4_best_second_0_0_choice_3 < slice1winner3_best_second_0_1 else slice1winner3_best_second_0_1;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner3_best_cost_0_1 <
-        slice1winner3_best_cost_0_0 else slice1winner3_best_cost_0_0;
+      slice1winner4_best_place_0_0_is_not_less := (slice1winner3_best_cost_0_0 - slice1winner3_best_cost_0_1) >= 0;
+      slice1winner4_best_second_0_0_choice := slice1winner3_best_second_0_1 when slice1winner4_best_place_0_0 else
+        slice1winner3_best_late_cost_0_1;
+      slice1winner4_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_1 when slice1winner4_best_at_end_0_0
+        else slice1winner4_best_second_0_0_choice;
+      slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0 when slice1winner4_best_place_0_0 else
+        slice1winner3_best_second_0_0;
+      slice1winner4_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0 when slice1winner4_best_at_start_0_0
+        else slice1winner4_best_second_0_0_choice_3;
+      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when (slice1winner3_best_cost_0_1 -
+        slice1winner3_best_cost_0_0) < 0 else slice1winner3_best_cost_0_0;
       slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0 when slice1winner4_best_index_0_0_is_less else
         slice1winner3_best_index_0_1;
       slice1winner4_best_below_0_0 <= slice1winner3_best_below_0_0 when slice1winner4_best_index_0_0_is_less else
@@ -3434,30 +3451,41 @@ begin
         else slice1winner3_best_above_0_1;
       slice1winner4_best_first_0_0 <= slice1winner3_best_first_0_0;
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0_1;
-      slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_2 when slice1winner4_best_index_0_0_is_less
-        else slice1winner4_best_second_0_0_choice_4;
-      slice1winner4_best_but_first_0_0 <= slice1winner3_best_cost_0_1 when slice1winner3_best_cost_0_1 <
-        slice1winner3_best_but_first_0_0 else slice1winner3_best_but_first_0_0;
-      slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0_1 when slice1winner3_best_but_last_0_1 <
-        slice1winner3_best_cost_0_0 else slice1winner3_best_cost_0_0;
+      slice1winner4_best_place_0_0 <= slice1winner4_best_place_0_0_is_not_less;
+      slice1winner4_best_at_start_0_0 <= slice1winner4_best_below_0_0_is_equal and
+        slice1winner4_best_place_0_0_is_not_less;
+      slice1winner4_best_at_end_0_0 <= slice1winner4_best_index_0_0_is_less and slice1winner4_best_above_0_0_is_equal;
+      slice1winner4_best_late_cost_0_0 <= slice1winner4_best_cost_0_0;
+      slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_2 when
+        (slice1winner4_best_second_0_0_choice_2 - slice1winner4_best_second_0_0_choice_4) < 0 else
+        slice1winner4_best_second_0_0_choice_4;
+      slice1winner4_best_but_first_0_0 <= slice1winner3_best_late_cost_0_1 when (slice1winner3_best_late_cost_0_1 -
+        slice1winner3_best_but_first_0_0) < 0 else slice1winner3_best_but_first_0_0;
+      slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0_1 when (slice1winner3_best_but_last_0_1 -
+        slice1winner3_best_late_cost_0_0) < 0 else slice1winner3_best_late_cost_0_0;
       -- slice1
-      slice1_best_index_0_0_is_less := slice0_best_cost_0_0 < slice1winner4_best_cost_0_0;
+      slice1_best_index_0_0_is_less := (slice0winner4_best_late_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner4_best_index_0_0 = 0;
       slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
         slice1winner4_best_below_0_0;
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 15;
       slice1_best_above_0_0_choice := slice1winner4_best_first_0_0 when slice1_best_above_0_0_is_equal else
         slice0_best_above_0_0;
-      slice1_best_second_0_0_choice := slice1winner4_best_but_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice1winner4_best_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice when slice1_best_second_0_0_choice <
-        slice0_best_second_0_0 else slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_3 := slice0_best_but_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice0_best_cost_0_0;
-      slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3 when slice1_best_second_0_0_choice_3 <
-        slice1winner4_best_second_0_0 else slice1winner4_best_second_0_0;
-      slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0 when slice1winner4_best_cost_0_0 < slice0_best_cost_0_0 else
-        slice0_best_cost_0_0;
+      slice1_best_place_0_0_is_not_less := (slice0winner4_best_late_cost_0_0 - slice1winner4_best_cost_0_0) >= 0;
+      slice1_best_second_0_0_choice := slice1winner4_best_second_0_0 when slice1_best_place_0_0 else
+        slice1winner4_best_late_cost_0_0;
+      slice1_best_second_0_0_choice_2 := slice1winner4_best_but_first_0_0 when slice1_best_at_end_0_0 else
+        slice1_best_second_0_0_choice;
+      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
+        slice0_best_second_0_0;
+      slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3 when slice1_best_at_end_0_0 and (not
+        slice1_best_at_start_0_0) else slice0_best_but_last_0_0;
+      slice1_best_second_0_0_choice_5 := slice1_best_second_0_0_choice_3 when (not slice1_best_at_end_0_0) and (not
+        slice1_best_at_start_0_0) else slice0_best_but_last_0_0;
+      slice1_best_second_0_0_choice_6 := slice1_best_second_0_0_choice_4 when slice1_best_at_end_0_0 else
+        slice1_best_second_0_0_choice_5;
+      slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0 when (slice1winner4_best_cost_0_0 -
+        slice0winner4_best_late_cost_0_0) < 0 else slice0winner4_best_late_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_is_less else
         slice1winner4_best_index_0_0 + 16;
       slice1_best_below_0_0 <= slice0_best_below_0_0 when slice1_best_index_0_0_is_less else
@@ -3465,16 +3493,16 @@ begin
       slice1_best_above_0_0 <= slice1_best_above_0_0_choice when slice1_best_index_0_0_is_less else
         slice1winner4_best_above_0_0;
       slice1_best_last_0_0 <= slice1winner4_best_last_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when slice1_best_index_0_0_is_less else
-        slice1_best_second_0_0_choice_4;
-      slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0 when slice1winner4_best_but_last_0_0 <
-        slice0_best_cost_0_0 else slice0_best_cost_0_0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      slice1_best_place_0_0 <= slice1_best_place_0_0_is_not_less;
+      slice1_best_at_start_0_0 <= slice1_best_below_0_0_is_equal and slice1_best_place_0_0_is_not_less;
+      slice1_best_at_end_0_0 <= slice1_best_above_0_0_is_equal and slice1_best_index_0_0_is_less;
+      slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
+      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
+        slice1_best_second_0_0_choice_6) < 0 else slice1_best_second_0_0_choice_6;
+      slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0 when (slice1winner4_best_but_last_0_0 -
+        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if other_5 then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
         slice2shift_search_0_1 <= slice2shift_search_0_0;
         slice2shift_search_0_2 <= slice2shift_search_0_1;
@@ -3513,68 +3541,58 @@ begin
       slice2shift_search_out_0 <= slice2shift_search_0_15;
       slice2shift_search_out_1 <= slice2shift_search_1_15;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        1024;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
+      slice2cost_column_0_0_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_0 mod 1024;
+      slice2cost_column_0_0_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_0 +
         slice2cost_column_0_0_choice) mod 1024;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_0 /
-        1024) mod 1024;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
+      slice2cost_column_0_1_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_0 / 1024)
+        mod 1024;
+      slice2cost_column_0_1_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_1 +
         slice2cost_column_0_1_choice) mod 1024;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 /
-        1048576;
-      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
+      slice2cost_column_0_2_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_0 / 1048576;
+      slice2cost_column_0_2_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_2 +
         slice2cost_column_0_2_choice) mod 1024;
-      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 mod
-        1024;
-      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
+      slice2cost_column_0_3_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_1 mod 1024;
+      slice2cost_column_0_3_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_3 +
         slice2cost_column_0_3_choice) mod 1024;
-      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_1 /
-        1024) mod 1024;
-      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
+      slice2cost_column_0_4_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_1 / 1024)
+        mod 1024;
+      slice2cost_column_0_4_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_4 +
         slice2cost_column_0_4_choice) mod 1024;
-      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 /
-        1048576;
-      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
+      slice2cost_column_0_5_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_1 / 1048576;
+      slice2cost_column_0_5_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_5 +
         slice2cost_column_0_5_choice) mod 1024;
-      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 mod
-        1024;
-      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
+      slice2cost_column_0_6_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_2 mod 1024;
+      slice2cost_column_0_6_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_6 +
         slice2cost_column_0_6_choice) mod 1024;
-      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_2 /
-        1024) mod 1024;
-      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
+      slice2cost_column_0_7_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_2 / 1024)
+        mod 1024;
+      slice2cost_column_0_7_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_7 +
         slice2cost_column_0_7_choice) mod 1024;
-      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 /
-        1048576;
-      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
+      slice2cost_column_0_8_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_2 / 1048576;
+      slice2cost_column_0_8_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_8 +
         slice2cost_column_0_8_choice) mod 1024;
-      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 mod
-        1024;
-      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
+      slice2cost_column_0_9_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_3 mod 1024;
+      slice2cost_column_0_9_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_9 +
         slice2cost_column_0_9_choice) mod 1024;
-      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_3 /
-        1024) mod 1024;
-      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
+      slice2cost_column_0_10_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_3 / 1024)
+        mod 1024;
+      slice2cost_column_0_10_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_10 +
         slice2cost_column_0_10_choice) mod 1024;
-      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 /
-        1048576;
-      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
+      slice2cost_column_0_11_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_3 / 1048576;
+      slice2cost_column_0_11_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_11 +
         slice2cost_column_0_11_choice) mod 1024;
-      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 mod
-        1024;
-      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
+      slice2cost_column_0_12_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_4 mod 1024;
+      slice2cost_column_0_12_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_12 +
         slice2cost_column_0_12_choice) mod 1024;
-      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_4 /
-        1024) mod 1024;
-      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
+      slice2cost_column_0_13_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_4 / 1024)
+        mod 1024;
+      slice2cost_column_0_13_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_13 +
         slice2cost_column_0_13_choice) mod 1024;
-      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 /
-        1048576;
-      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
+      slice2cost_column_0_14_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_4 / 1048576;
+      slice2cost_column_0_14_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_14 +
         slice2cost_column_0_14_choice) mod 1024;
-      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5;
-      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
+      slice2cost_column_0_15_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_5;
+      slice2cost_column_0_15_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_15 +
         slice2cost_column_0_15_choice) mod 1024;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
@@ -3674,7 +3692,9 @@ begin
       slice2cost_ready_words_3 <= to_integer(slice2cost_read_words_3);
       slice2cost_ready_words_4 <= to_integer(slice2cost_read_words_4);
       slice2cost_ready_words_5 <= to_integer(slice2cost_read_words_5);
-      slice2cost_ready_column <= slice2cost_change_column;
+      slice2cost_ready_tag_valid <= slice1cost_ready_tag_valid;
+      slice2cost_ready_tag_first_group <= slice1cost_ready_tag_first_group;
+      slice2cost_ready_tag_border_column <= slice1cost_ready_tag_border_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
       slice2cost_column_0_2 <= slice2cost_column_0_2_choice_2;
@@ -3691,14 +3711,7 @@ begin
       slice2cost_column_0_13 <= slice2cost_column_0_13_choice_2;
       slice2cost_column_0_14 <= slice2cost_column_0_14_choice_2;
       slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
-      slice2cost_write_column <= slice2cost_ready_column;
-      if slice0cost_pixels_tag_valid then
-        slice2cost_read_column <= 0 when slice0cost_pixels_tag_row_start else (slice2cost_read_column + 1) mod 512;
-      end if;
-      if slice0cost_ready_tag_valid then
-        slice2cost_change_column <= 0 when slice0cost_ready_tag_row_start else (slice2cost_change_column + 1) mod 512;
-      end if;
-      if slice0window_entering_tag_valid then
+      if slice2cost_ready_tag_valid then
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 1024) + slice2cost_column_0_0_choice_2 +
           (slice2cost_column_0_2_choice_2 * 1048576);
         slice2cost_write_words_1 <= (slice2cost_column_0_4_choice_2 * 1024) + slice2cost_column_0_3_choice_2 +
@@ -3717,82 +3730,82 @@ begin
           (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0));
       else
         slice2window_change_0_0_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(19 downto 10));
       else
         slice2window_change_0_1_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_2_choice := to_integer(slice2window_leaving_0(29 downto 20));
       else
         slice2window_change_0_2_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_3_choice := to_integer(slice2window_leaving_1(9 downto 0));
       else
         slice2window_change_0_3_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_4_choice := to_integer(slice2window_leaving_1(19 downto 10));
       else
         slice2window_change_0_4_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_5_choice := to_integer(slice2window_leaving_1(29 downto 20));
       else
         slice2window_change_0_5_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_6_choice := to_integer(slice2window_leaving_2(9 downto 0));
       else
         slice2window_change_0_6_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_7_choice := to_integer(slice2window_leaving_2(19 downto 10));
       else
         slice2window_change_0_7_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_8_choice := to_integer(slice2window_leaving_2(29 downto 20));
       else
         slice2window_change_0_8_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_9_choice := to_integer(slice2window_leaving_3(9 downto 0));
       else
         slice2window_change_0_9_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_10_choice := to_integer(slice2window_leaving_3(19 downto 10));
       else
         slice2window_change_0_10_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_11_choice := to_integer(slice2window_leaving_3(29 downto 20));
       else
         slice2window_change_0_11_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_12_choice := to_integer(slice2window_leaving_4(9 downto 0));
       else
         slice2window_change_0_12_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_13_choice := to_integer(slice2window_leaving_4(19 downto 10));
       else
         slice2window_change_0_13_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_14_choice := to_integer(slice2window_leaving_4(29 downto 20));
       else
         slice2window_change_0_14_choice := 0;
       end if;
-      if slice1window_change_tag_leaves_window then
+      if slice2window_entering_tag_leaves_window then
         slice2window_change_0_15_choice := to_integer(slice2window_leaving_5);
       else
         slice2window_change_0_15_choice := 0;
@@ -3813,6 +3826,7 @@ begin
       slice2window_entering_0_13 <= slice2cost_column_0_13;
       slice2window_entering_0_14 <= slice2cost_column_0_14;
       slice2window_entering_0_15 <= slice2cost_column_0_15;
+      slice2window_entering_tag_leaves_window <= slice1window_entering_tag_leaves_window;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
       slice2window_change_0_2 <= slice2window_entering_0_2 - slice2window_change_0_2_choice;
@@ -3829,10 +3843,8 @@ begin
       slice2window_change_0_13 <= slice2window_entering_0_13 - slice2window_change_0_13_choice;
       slice2window_change_0_14 <= slice2window_entering_0_14 - slice2window_change_0_14_choice;
       slice2window_change_0_15 <= slice2window_entering_0_15 - slice2window_change_0_15_choice;
+      slice2window_change_tag_valid <= slice1window_change_tag_valid;
       slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
-      slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
-      slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
-      slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       slice2window_sum_0_0_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_1;
       slice2window_sum_0_2_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_2;
@@ -3849,7 +3861,7 @@ begin
       slice2window_sum_0_13_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_13;
       slice2window_sum_0_14_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_14;
       slice2window_sum_0_15_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_15;
-      if slice0winner1_tag_valid then
+      if slice2window_change_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 16384;
@@ -3867,35 +3879,31 @@ begin
         slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 16384;
         slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 16384;
       end if;
-      if slice0winner2_tag_valid then
-        slice2window_centre_start_of_frame_3 <= slice1window_centre_start_of_frame_3;
-      end if;
       -- slice2winner1
-      slice2winner1_best_index_0_0_is_not_less := slice2window_sum_0_0 >= slice2window_sum_0_1;
-      slice2winner1_best_index_0_1_is_less := slice2window_sum_0_2 < slice2window_sum_0_3;
-      slice2winner1_best_index_0_2_is_less := slice2window_sum_0_4 < slice2window_sum_0_5;
-      slice2winner1_best_index_0_3_is_less := slice2window_sum_0_6 < slice2window_sum_0_7;
-      slice2winner1_best_index_0_4_is_less := slice2window_sum_0_8 < slice2window_sum_0_9;
-      slice2winner1_best_index_0_5_is_less := slice2window_sum_0_10 < slice2window_sum_0_11;
-      slice2winner1_best_index_0_6_is_less := slice2window_sum_0_12 < slice2window_sum_0_13;
-      slice2winner1_best_index_0_7_is_less := slice2window_sum_0_14 < slice2window_sum_0_15;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2window_sum_0_1 < slice2window_sum_0_0 else
+      slice2winner1_best_index_0_1_is_less := (slice2window_sum_0_2 - slice2window_sum_0_3) < 0;
+      slice2winner1_best_index_0_2_is_less := (slice2window_sum_0_4 - slice2window_sum_0_5) < 0;
+      slice2winner1_best_index_0_3_is_less := (slice2window_sum_0_6 - slice2window_sum_0_7) < 0;
+      slice2winner1_best_index_0_4_is_less := (slice2window_sum_0_8 - slice2window_sum_0_9) < 0;
+      slice2winner1_best_index_0_5_is_less := (slice2window_sum_0_10 - slice2window_sum_0_11) < 0;
+      slice2winner1_best_index_0_6_is_less := (slice2window_sum_0_12 - slice2window_sum_0_13) < 0;
+      slice2winner1_best_index_0_7_is_less := (slice2window_sum_0_14 - slice2window_sum_0_15) < 0;
+      slice2winner1_best_below_0_0_is_not_less := (slice2window_sum_0_0 - slice2window_sum_0_1) >= 0;
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
         slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2window_sum_0_3 < slice2window_sum_0_2 else
+      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when (slice2window_sum_0_3 - slice2window_sum_0_2) < 0 else
         slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2window_sum_0_5 < slice2window_sum_0_4 else
+      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when (slice2window_sum_0_5 - slice2window_sum_0_4) < 0 else
         slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2window_sum_0_7 < slice2window_sum_0_6 else
+      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when (slice2window_sum_0_7 - slice2window_sum_0_6) < 0 else
         slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2window_sum_0_9 < slice2window_sum_0_8 else
+      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when (slice2window_sum_0_9 - slice2window_sum_0_8) < 0 else
         slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2window_sum_0_11 < slice2window_sum_0_10 else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2window_sum_0_13 < slice2window_sum_0_12 else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2window_sum_0_15 < slice2window_sum_0_14 else
-        slice2window_sum_0_14;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_index_0_0_is_not_less;
+      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when (slice2window_sum_0_11 - slice2window_sum_0_10) < 0
+        else slice2window_sum_0_10;
+      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when (slice2window_sum_0_13 - slice2window_sum_0_12) < 0
+        else slice2window_sum_0_12;
+      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when (slice2window_sum_0_15 - slice2window_sum_0_14) < 0
+        else slice2window_sum_0_14;
       slice2winner1_best_index_0_1 <= 2 when slice2winner1_best_index_0_1_is_less else 3;
       slice2winner1_best_index_0_2 <= 4 when slice2winner1_best_index_0_2_is_less else 5;
       slice2winner1_best_index_0_3 <= 6 when slice2winner1_best_index_0_3_is_less else 7;
@@ -3903,7 +3911,7 @@ begin
       slice2winner1_best_index_0_5 <= 10 when slice2winner1_best_index_0_5_is_less else 11;
       slice2winner1_best_index_0_6 <= 12 when slice2winner1_best_index_0_6_is_less else 13;
       slice2winner1_best_index_0_7 <= 14 when slice2winner1_best_index_0_7_is_less else 15;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_index_0_0_is_not_less else 0;
+      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_below_0_0_is_not_less else 0;
       slice2winner1_best_below_0_1 <= 0 when slice2winner1_best_index_0_1_is_less else slice2window_sum_0_2;
       slice2winner1_best_below_0_2 <= 0 when slice2winner1_best_index_0_2_is_less else slice2window_sum_0_4;
       slice2winner1_best_below_0_3 <= 0 when slice2winner1_best_index_0_3_is_less else slice2window_sum_0_6;
@@ -3911,7 +3919,7 @@ begin
       slice2winner1_best_below_0_5 <= 0 when slice2winner1_best_index_0_5_is_less else slice2window_sum_0_10;
       slice2winner1_best_below_0_6 <= 0 when slice2winner1_best_index_0_6_is_less else slice2window_sum_0_12;
       slice2winner1_best_below_0_7 <= 0 when slice2winner1_best_index_0_7_is_less else slice2window_sum_0_14;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_index_0_0_is_not_less else slice2window_sum_0_1;
+      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_below_0_0_is_not_less else slice2window_sum_0_1;
       slice2winner1_best_above_0_1 <= slice2window_sum_0_3 when slice2winner1_best_index_0_1_is_less else 0;
       slice2winner1_best_above_0_2 <= slice2window_sum_0_5 when slice2winner1_best_index_0_2_is_less else 0;
       slice2winner1_best_above_0_3 <= slice2window_sum_0_7 when slice2winner1_best_index_0_3_is_less else 0;
@@ -3920,120 +3928,132 @@ begin
       slice2winner1_best_above_0_6 <= slice2window_sum_0_13 when slice2winner1_best_index_0_6_is_less else 0;
       slice2winner1_best_above_0_7 <= slice2window_sum_0_15 when slice2winner1_best_index_0_7_is_less else 0;
       slice2winner1_best_first_0_0 <= slice2window_sum_0_0;
-      slice2winner1_best_first_0_1 <= slice2window_sum_0_2 when slice2window_sum_0_2 < 16383 else 16383;
+      slice2winner1_best_first_0_1 <= slice2window_sum_0_2;
       slice2winner1_best_first_0_2 <= slice2window_sum_0_4;
-      slice2winner1_best_first_0_3 <= slice2window_sum_0_6 when slice2window_sum_0_6 < 16383 else 16383;
+      slice2winner1_best_first_0_3 <= slice2window_sum_0_6;
       slice2winner1_best_first_0_4 <= slice2window_sum_0_8;
-      slice2winner1_best_first_0_5 <= slice2window_sum_0_10 when slice2window_sum_0_10 < 16383 else 16383;
+      slice2winner1_best_first_0_5 <= slice2window_sum_0_10;
       slice2winner1_best_first_0_6 <= slice2window_sum_0_12;
-      slice2winner1_best_first_0_7 <= slice2window_sum_0_14 when slice2window_sum_0_14 < 16383 else 16383;
-      slice2winner1_best_last_0_0 <= slice2window_sum_0_1 when slice2window_sum_0_1 < 16383 else 16383;
+      slice2winner1_best_first_0_7 <= slice2window_sum_0_14;
+      slice2winner1_best_last_0_0 <= slice2window_sum_0_1;
       slice2winner1_best_last_0_1 <= slice2window_sum_0_3;
-      slice2winner1_best_last_0_2 <= slice2window_sum_0_5 when slice2window_sum_0_5 < 16383 else 16383;
+      slice2winner1_best_last_0_2 <= slice2window_sum_0_5;
       slice2winner1_best_last_0_3 <= slice2window_sum_0_7;
-      slice2winner1_best_last_0_4 <= slice2window_sum_0_9 when slice2window_sum_0_9 < 16383 else 16383;
+      slice2winner1_best_last_0_4 <= slice2window_sum_0_9;
       slice2winner1_best_last_0_5 <= slice2window_sum_0_11;
-      slice2winner1_best_last_0_6 <= slice2window_sum_0_13 when slice2window_sum_0_13 < 16383 else 16383;
+      slice2winner1_best_last_0_6 <= slice2window_sum_0_13;
       slice2winner1_best_last_0_7 <= slice2window_sum_0_15;
-      slice2winner1_best_but_first_0_0 <= slice2window_sum_0_1;
-      slice2winner1_best_but_first_0_1 <= slice2window_sum_0_3 when slice2window_sum_0_3 < 16383 else 16383;
-      slice2winner1_best_but_first_0_2 <= slice2window_sum_0_5;
-      slice2winner1_best_but_first_0_3 <= slice2window_sum_0_7 when slice2window_sum_0_7 < 16383 else 16383;
-      slice2winner1_best_but_first_0_4 <= slice2window_sum_0_9;
-      slice2winner1_best_but_first_0_5 <= slice2window_sum_0_11 when slice2window_sum_0_11 < 16383 else 16383;
-      slice2winner1_best_but_first_0_6 <= slice2window_sum_0_13;
-      slice2winner1_best_but_first_0_7 <= slice2window_sum_0_15 when slice2window_sum_0_15 < 16383 else 16383;
-      slice2winner1_best_but_last_0_0 <= slice2window_sum_0_0 when slice2window_sum_0_0 < 16383 else 16383;
-      slice2winner1_best_but_last_0_1 <= slice2window_sum_0_2;
-      slice2winner1_best_but_last_0_2 <= slice2window_sum_0_4 when slice2window_sum_0_4 < 16383 else 16383;
-      slice2winner1_best_but_last_0_3 <= slice2window_sum_0_6;
-      slice2winner1_best_but_last_0_4 <= slice2window_sum_0_8 when slice2window_sum_0_8 < 16383 else 16383;
-      slice2winner1_best_but_last_0_5 <= slice2window_sum_0_10;
-      slice2winner1_best_but_last_0_6 <= slice2window_sum_0_12 when slice2window_sum_0_12 < 16383 else 16383;
-      slice2winner1_best_but_last_0_7 <= slice2window_sum_0_14;
+      slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner1_best_late_cost_0_1 <= slice2winner1_best_cost_0_1;
+      slice2winner1_best_late_cost_0_2 <= slice2winner1_best_cost_0_2;
+      slice2winner1_best_late_cost_0_3 <= slice2winner1_best_cost_0_3;
+      slice2winner1_best_late_cost_0_4 <= slice2winner1_best_cost_0_4;
+      slice2winner1_best_late_cost_0_5 <= slice2winner1_best_cost_0_5;
+      slice2winner1_best_late_cost_0_6 <= slice2winner1_best_cost_0_6;
+      slice2winner1_best_late_cost_0_7 <= slice2winner1_best_cost_0_7;
+      slice2winner1_best_but_first_0_0 <= slice2winner1_best_last_0_0;
+      slice2winner1_best_but_first_0_1 <= slice2winner1_best_last_0_1;
+      slice2winner1_best_but_first_0_2 <= slice2winner1_best_last_0_2;
+      slice2winner1_best_but_first_0_3 <= slice2winner1_best_last_0_3;
+      slice2winner1_best_but_first_0_4 <= slice2winner1_best_last_0_4;
+      slice2winner1_best_but_first_0_5 <= slice2winner1_best_last_0_5;
+      slice2winner1_best_but_first_0_6 <= slice2winner1_best_last_0_6;
+      slice2winner1_best_but_first_0_7 <= slice2winner1_best_last_0_7;
+      slice2winner1_best_but_last_0_0 <= slice2winner1_best_first_0_0;
+      slice2winner1_best_but_last_0_1 <= slice2winner1_best_first_0_1;
+      slice2winner1_best_but_last_0_2 <= slice2winner1_best_first_0_2;
+      slice2winner1_best_but_last_0_3 <= slice2winner1_best_first_0_3;
+      slice2winner1_best_but_last_0_4 <= slice2winner1_best_first_0_4;
+      slice2winner1_best_but_last_0_5 <= slice2winner1_best_first_0_5;
+      slice2winner1_best_but_last_0_6 <= slice2winner1_best_first_0_6;
+      slice2winner1_best_but_last_0_7 <= slice2winner1_best_first_0_7;
       -- slice2winner2
-      slice2winner2_best_index_0_0_is_less := slice2winner1_best_cost_0_0 < slice2winner1_best_cost_0_1;
-      slice2winner2_best_index_0_1_is_less := slice2winner1_best_cost_0_2 < slice2winner1_best_cost_0_3;
-      slice2winner2_best_index_0_2_is_less := slice2winner1_best_cost_0_4 < slice2winner1_best_cost_0_5;
-      slice2winner2_best_index_0_3_is_less := slice2winner1_best_cost_0_6 < slice2winner1_best_cost_0_7;
-      slice2winner2_best_below_0_0_choice := slice2winner1_best_but_first_0_0 when other_3 else
+      slice2winner2_best_index_0_0_is_not_less := (slice2winner1_best_cost_0_0 - slice2winner1_best_cost_0_1) >= 0;
+      slice2winner2_best_index_0_1_is_not_less := (slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) >= 0;
+      slice2winner2_best_index_0_2_is_not_less := (slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) >= 0;
+      slice2winner2_best_index_0_3_is_not_less := (slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) >= 0;
+      slice2winner2_best_below_0_0_choice := slice2winner1_best_last_0_0 when other_19 else
         slice2winner1_best_below_0_1;
-      slice2winner2_best_below_0_1_choice := slice2winner1_best_but_first_0_2 when other_4 else
+      slice2winner2_best_below_0_1_choice := slice2winner1_best_last_0_2 when other_20 else
         slice2winner1_best_below_0_3;
-      slice2winner2_best_below_0_2_choice := slice2winner1_best_but_first_0_4 when other_5 else
+      slice2winner2_best_below_0_2_choice := slice2winner1_best_last_0_4 when other_21 else
         slice2winner1_best_below_0_5;
-      slice2winner2_best_below_0_3_choice := slice2winner1_best_but_first_0_6 when other_6 else
+      slice2winner2_best_below_0_3_choice := slice2winner1_best_last_0_6 when other_22 else
         slice2winner1_best_below_0_7;
-      slice2winner2_best_above_0_0_choice := slice2winner1_best_but_last_0_1 when slice2winner1_best_index_0_0 else
+      slice2winner2_best_above_0_0_choice := slice2winner1_best_first_0_1 when other_18 else
         slice2winner1_best_above_0_0;
-      slice2winner2_best_above_0_1_all := ((slice2winner1_best_index_0_2 / 4) = 1) and ((slice2winner1_best_index_0_2
-        mod 2) = 1);
-      slice2winner2_best_above_0_1_choice := slice2winner1_best_but_last_0_3 when slice2winner2_best_above_0_1_all else
-        slice2winner1_best_above_0_2;
-      slice2winner2_best_above_0_2_all := ((slice2winner1_best_index_0_4 / 8) = 1) and ((slice2winner1_best_index_0_4
-        mod 2) = 1);
-      slice2winner2_best_above_0_2_choice := slice2winner1_best_but_last_0_5 when slice2winner2_best_above_0_2_all else
-        slice2winner1_best_above_0_4;
-      slice2winner2_best_above_0_3_all := ((slice2winner1_best_index_0_6 / 8) = 1) and (((slice2winner1_best_index_0_6
-        / 4) mod 2) = 1) and ((slice2winner1_best_index_0_6 mod 2) = 1);
-      slice2winner2_best_above_0_3_choice := slice2winner1_best_but_last_0_7 when slice2winner2_best_above_0_3_all else
+      slice2winner2_best_above_0_1_choice := slice2winner1_best_first_0_3 when ((slice2winner1_best_index_0_2 / 4) = 1)
+        and ((slice2winner1_best_index_0_2 mod 2) = 1) else slice2winner1_best_above_0_2;
+      slice2winner2_best_above_0_2_choice := slice2winner1_best_first_0_5 when ((slice2winner1_best_index_0_4 / 8) = 1)
+        and ((slice2winner1_best_index_0_4 mod 2) = 1) else slice2winner1_best_above_0_4;
+      slice2winner2_best_above_0_3_value := ((slice2winner1_best_index_0_6 / 4) mod 2) = 1;
+      slice2winner2_best_above_0_3_choice := slice2winner1_best_first_0_7 when ((slice2winner1_best_index_0_6 / 8) = 1)
+        and slice2winner2_best_above_0_3_value and ((slice2winner1_best_index_0_6 mod 2) = 1) else
         slice2winner1_best_above_0_6;
-      slice2winner2_best_second_0_0_choice := slice2winner1_best_but_first_0_1 when slice2winner1_best_index_0_0 else
-        slice2winner1_best_cost_0_1;
-      slice2winner2_best_second_0_0_choice_2 := slice2winner1_best_but_last_0_0 when other_3 else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_second_0_0_choice_3 := slice2winner2_best_second_0_0_choice when
-        slice2winner2_best_index_0_0_is_less else slice2winner2_best_second_0_0_choice_2;
-      slice2winner2_best_second_0_1_choice := slice2winner1_best_but_first_0_3 when slice2winner2_best_above_0_1_all
-        else slice2winner1_best_cost_0_3;
-      slice2winner2_best_second_0_1_choice_2 := slice2winner1_best_but_last_0_2 when other_4 else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_second_0_1_choice_3 := slice2winner2_best_second_0_1_choice when
-        slice2winner2_best_index_0_1_is_less else slice2winner2_best_second_0_1_choice_2;
-      slice2winner2_best_second_0_2_choice := slice2winner1_best_but_first_0_5 when slice2winner2_best_above_0_2_all
-        else slice2winner1_best_cost_0_5;
-      slice2winner2_best_second_0_2_choice_2 := slice2winner1_best_but_last_0_4 when other_5 else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_second_0_2_choice_3 := slice2winner2_best_second_0_2_choice when
-        slice2winner2_best_index_0_2_is_less else slice2winner2_best_second_0_2_choice_2;
-      slice2winner2_best_second_0_3_choice := slice2winner1_best_but_first_0_7 when slice2winner2_best_above_0_3_all
-        else slice2winner1_best_cost_0_7;
-      slice2winner2_best_second_0_3_choice_2 := slice2winner1_best_but_last_0_6 when other_6 else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_second_0_3_choice_3 := slice2winner2_best_second_0_3_choice when
-        slice2winner2_best_index_0_3_is_less else slice2winner2_best_second_0_3_choice_2;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner1_best_cost_0_1 <
-        slice2winner1_best_cost_0_0 else slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner1_best_cost_0_3 <
-        slice2winner1_best_cost_0_2 else slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner1_best_cost_0_5 <
-        slice2winner1_best_cost_0_4 else slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner1_best_cost_0_7 <
-        slice2winner1_best_cost_0_6 else slice2winner1_best_cost_0_6;
-      slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0) when slice2winner2_best_index_0_0_is_less
-        else slice2winner1_best_index_0_1;
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2 when slice2winner2_best_index_0_1_is_less else
-        slice2winner1_best_index_0_3;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4 when slice2winner2_best_index_0_2_is_less else
-        slice2winner1_best_index_0_5;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6 when slice2winner2_best_index_0_3_is_less else
-        slice2winner1_best_index_0_7;
-      slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0 when slice2winner2_best_index_0_0_is_less else
-        slice2winner2_best_below_0_0_choice;
-      slice2winner2_best_below_0_1 <= slice2winner1_best_below_0_2 when slice2winner2_best_index_0_1_is_less else
-        slice2winner2_best_below_0_1_choice;
-      slice2winner2_best_below_0_2 <= slice2winner1_best_below_0_4 when slice2winner2_best_index_0_2_is_less else
-        slice2winner2_best_below_0_2_choice;
-      slice2winner2_best_below_0_3 <= slice2winner1_best_below_0_6 when slice2winner2_best_index_0_3_is_less else
-        slice2winner2_best_below_0_3_choice;
-      slice2winner2_best_above_0_0 <= slice2winner2_best_above_0_0_choice when slice2winner2_best_index_0_0_is_less
-        else slice2winner1_best_above_0_1;
-      slice2winner2_best_above_0_1 <= slice2winner2_best_above_0_1_choice when slice2winner2_best_index_0_1_is_less
-        else slice2winner1_best_above_0_3;
-      slice2winner2_best_above_0_2 <= slice2winner2_best_above_0_2_choice when slice2winner2_best_index_0_2_is_less
-        else slice2winner1_best_above_0_5;
-      slice2winner2_best_above_0_3 <= slice2winner2_best_above_0_3_choice when slice2winner2_best_index_0_3_is_less
-        else slice2winner1_best_above_0_7;
+      slice2winner2_best_second_0_0_choice := 16383 when slice2winner2_best_place_0_0 else
+        slice2winner1_best_late_cost_0_1;
+      slice2winner2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_1 when slice2winner2_best_at_end_0_0
+        else slice2winner2_best_second_0_0_choice;
+      slice2winner2_best_second_0_0_choice_3 := slice2winner1_best_late_cost_0_0 when slice2winner2_best_place_0_0 else
+        16383;
+      slice2winner2_best_second_0_0_choice_4 := slice2winner1_best_but_last_0_0 when slice2winner2_best_at_start_0_0
+        else slice2winner2_best_second_0_0_choice_3;
+      slice2winner2_best_second_0_1_choice := 16383 when slice2winner2_best_place_0_1 else
+        slice2winner1_best_late_cost_0_3;
+      slice2winner2_best_second_0_1_choice_2 := slice2winner1_best_but_first_0_3 when slice2winner2_best_at_end_0_1
+        else slice2winner2_best_second_0_1_choice;
+      slice2winner2_best_second_0_1_choice_3 := slice2winner1_best_late_cost_0_2 when slice2winner2_best_place_0_1 else
+        16383;
+      slice2winner2_best_second_0_1_choice_4 := slice2winner1_best_but_last_0_2 when slice2winner2_best_at_start_0_1
+        else slice2winner2_best_second_0_1_choice_3;
+      slice2winner2_best_second_0_2_choice := 16383 when slice2winner2_best_place_0_2 else
+        slice2winner1_best_late_cost_0_5;
+      slice2winner2_best_second_0_2_choice_2 := slice2winner1_best_but_first_0_5 when slice2winner2_best_at_end_0_2
+        else slice2winner2_best_second_0_2_choice;
+      slice2winner2_best_second_0_2_choice_3 := slice2winner1_best_late_cost_0_4 when slice2winner2_best_place_0_2 else
+        16383;
+      slice2winner2_best_second_0_2_choice_4 := slice2winner1_best_but_last_0_4 when slice2winner2_best_at_start_0_2
+        else slice2winner2_best_second_0_2_choice_3;
+      slice2winner2_best_second_0_3_choice := 16383 when slice2winner2_best_place_0_3 else
+        slice2winner1_best_late_cost_0_7;
+      slice2winner2_best_second_0_3_choice_2 := slice2winner1_best_but_first_0_7 when slice2winner2_best_at_end_0_3
+        else slice2winner2_best_second_0_3_choice;
+      slice2winner2_best_second_0_3_choice_3 := slice2winner1_best_late_cost_0_6 when slice2winner2_best_place_0_3 else
+        16383;
+      slice2winner2_best_second_0_3_choice_4 := slice2winner1_best_but_last_0_6 when slice2winner2_best_at_start_0_3
+        else slice2winner2_best_second_0_3_choice_3;
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when (slice2winner1_best_cost_0_1 -
+        slice2winner1_best_cost_0_0) < 0 else slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when (slice2winner1_best_cost_0_3 -
+        slice2winner1_best_cost_0_2) < 0 else slice2winner1_best_cost_0_2;
+      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when (slice2winner1_best_cost_0_5 -
+        slice2winner1_best_cost_0_4) < 0 else slice2winner1_best_cost_0_4;
+      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when (slice2winner1_best_cost_0_7 -
+        slice2winner1_best_cost_0_6) < 0 else slice2winner1_best_cost_0_6;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_index_0_0_is_not_less else
+        as_number(other_18);
+      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_index_0_1_is_not_less else
+        slice2winner1_best_index_0_2;
+      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_index_0_2_is_not_less else
+        slice2winner1_best_index_0_4;
+      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_index_0_3_is_not_less else
+        slice2winner1_best_index_0_6;
+      slice2winner2_best_below_0_0 <= slice2winner2_best_below_0_0_choice when slice2winner2_best_index_0_0_is_not_less
+        else slice2winner1_best_below_0_0;
+      slice2winner2_best_below_0_1 <= slice2winner2_best_below_0_1_choice when slice2winner2_best_index_0_1_is_not_less
+        else slice2winner1_best_below_0_2;
+      slice2winner2_best_below_0_2 <= slice2winner2_best_below_0_2_choice when slice2winner2_best_index_0_2_is_not_less
+        else slice2winner1_best_below_0_4;
+      slice2winner2_best_below_0_3 <= slice2winner2_best_below_0_3_choice when slice2winner2_best_index_0_3_is_not_less
+        else slice2winner1_best_below_0_6;
+      slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_1 when slice2winner2_best_index_0_0_is_not_less else
+        slice2winner2_best_above_0_0_choice;
+      slice2winner2_best_above_0_1 <= slice2winner1_best_above_0_3 when slice2winner2_best_index_0_1_is_not_less else
+        slice2winner2_best_above_0_1_choice;
+      slice2winner2_best_above_0_2 <= slice2winner1_best_above_0_5 when slice2winner2_best_index_0_2_is_not_less else
+        slice2winner2_best_above_0_2_choice;
+      slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7 when slice2winner2_best_index_0_3_is_not_less else
+        slice2winner2_best_above_0_3_choice;
       slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
       slice2winner2_best_first_0_1 <= slice2winner1_best_first_0_2;
       slice2winner2_best_first_0_2 <= slice2winner1_best_first_0_4;
@@ -4042,33 +4062,57 @@ begin
       slice2winner2_best_last_0_1 <= slice2winner1_best_last_0_3;
       slice2winner2_best_last_0_2 <= slice2winner1_best_last_0_5;
       slice2winner2_best_last_0_3 <= slice2winner1_best_last_0_7;
-      slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_3 when
-        slice2winner2_best_second_0_0_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_3 when
-        slice2winner2_best_second_0_1_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_3 when
-        slice2winner2_best_second_0_2_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_3 when
-        slice2winner2_best_second_0_3_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice2winner2_best_but_first_0_0 <= slice2winner1_best_cost_0_1 when slice2winner1_best_cost_0_1 <
-        slice2winner1_best_last_0_0 else slice2winner1_best_last_0_0;
-      slice2winner2_best_but_first_0_1 <= slice2winner1_best_cost_0_3 when slice2winner1_best_cost_0_3 <
-        slice2winner1_best_last_0_2 else slice2winner1_best_last_0_2;
-      slice2winner2_best_but_first_0_2 <= slice2winner1_best_cost_0_5 when slice2winner1_best_cost_0_5 <
-        slice2winner1_best_last_0_4 else slice2winner1_best_last_0_4;
-      slice2winner2_best_but_first_0_3 <= slice2winner1_best_cost_0_7 when slice2winner1_best_cost_0_7 <
-        slice2winner1_best_last_0_6 else slice2winner1_best_last_0_6;
-      slice2winner2_best_but_last_0_0 <= slice2winner1_best_first_0_1 when slice2winner1_best_first_0_1 <
-        slice2winner1_best_cost_0_0 else slice2winner1_best_cost_0_0;
-      slice2winner2_best_but_last_0_1 <= slice2winner1_best_first_0_3 when slice2winner1_best_first_0_3 <
-        slice2winner1_best_cost_0_2 else slice2winner1_best_cost_0_2;
-      slice2winner2_best_but_last_0_2 <= slice2winner1_best_first_0_5 when slice2winner1_best_first_0_5 <
-        slice2winner1_best_cost_0_4 else slice2winner1_best_cost_0_4;
-      slice2winner2_best_but_last_0_3 <= slice2winner1_best_first_0_7 when slice2winner1_best_first_0_7 <
-        slice2winner1_best_cost_0_6 else slice2winner1_best_cost_0_6;
+      slice2winner2_best_place_0_0 <= slice2winner2_best_index_0_0_is_not_less;
+      slice2winner2_best_place_0_1 <= slice2winner2_best_index_0_1_is_not_less;
+      slice2winner2_best_place_0_2 <= slice2winner2_best_index_0_2_is_not_less;
+      slice2winner2_best_place_0_3 <= slice2winner2_best_index_0_3_is_not_less;
+      slice2winner2_best_at_start_0_0 <= other_19 and slice2winner2_best_index_0_0_is_not_less;
+      slice2winner2_best_at_start_0_1 <= other_20 and slice2winner2_best_index_0_1_is_not_less;
+      slice2winner2_best_at_start_0_2 <= other_21 and slice2winner2_best_index_0_2_is_not_less;
+      slice2winner2_best_at_start_0_3 <= other_22 and slice2winner2_best_index_0_3_is_not_less;
+      slice2winner2_best_at_end_0_0 <= other_18 and ((slice2winner1_best_cost_0_0 - slice2winner1_best_cost_0_1) < 0);
+      slice2winner2_best_at_end_0_1 <= ((slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) < 0) and
+        ((slice2winner1_best_index_0_2 / 4) = 1) and ((slice2winner1_best_index_0_2 mod 2) = 1);
+      slice2winner2_best_at_end_0_2 <= ((slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) < 0) and
+        ((slice2winner1_best_index_0_4 / 8) = 1) and ((slice2winner1_best_index_0_4 mod 2) = 1);
+      slice2winner2_best_at_end_0_3 <= ((slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) < 0) and
+        ((slice2winner1_best_index_0_6 / 8) = 1) and slice2winner2_best_above_0_3_value and
+        ((slice2winner1_best_index_0_6 mod 2) = 1);
+      slice2winner2_best_late_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner2_best_late_cost_0_1 <= slice2winner2_best_cost_0_1;
+      slice2winner2_best_late_cost_0_2 <= slice2winner2_best_cost_0_2;
+      slice2winner2_best_late_cost_0_3 <= slice2winner2_best_cost_0_3;
+      slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_2 when
+        (slice2winner2_best_second_0_0_choice_2 - slice2winner2_best_second_0_0_choice_4) < 0 else
+        slice2winner2_best_second_0_0_choice_4;
+      slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_2 when
+        (slice2winner2_best_second_0_1_choice_2 - slice2winner2_best_second_0_1_choice_4) < 0 else
+        slice2winner2_best_second_0_1_choice_4;
+      slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_2 when
+        (slice2winner2_best_second_0_2_choice_2 - slice2winner2_best_second_0_2_choice_4) < 0 else
+        slice2winner2_best_second_0_2_choice_4;
+      slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_2 when
+        (slice2winner2_best_second_0_3_choice_2 - slice2winner2_best_second_0_3_choice_4) < 0 else
+        slice2winner2_best_second_0_3_choice_4;
+      slice2winner2_best_but_first_0_0 <= slice2winner1_best_late_cost_0_1 when (slice2winner1_best_late_cost_0_1 -
+        slice2winner1_best_but_first_0_0) < 0 else slice2winner1_best_but_first_0_0;
+      slice2winner2_best_but_first_0_1 <= slice2winner1_best_late_cost_0_3 when (slice2winner1_best_late_cost_0_3 -
+        slice2winner1_best_but_first_0_2) < 0 else slice2winner1_best_but_first_0_2;
+      slice2winner2_best_but_first_0_2 <= slice2winner1_best_late_cost_0_5 when (slice2winner1_best_late_cost_0_5 -
+        slice2winner1_best_but_first_0_4) < 0 else slice2winner1_best_but_first_0_4;
+      slice2winner2_best_but_first_0_3 <= slice2winner1_best_late_cost_0_7 when (slice2winner1_best_late_cost_0_7 -
+        slice2winner1_best_but_first_0_6) < 0 else slice2winner1_best_but_first_0_6;
+      slice2winner2_best_but_last_0_0 <= slice2winner1_best_but_last_0_1 when (slice2winner1_best_but_last_0_1 -
+        slice2winner1_best_late_cost_0_0) < 0 else slice2winner1_best_late_cost_0_0;
+      slice2winner2_best_but_last_0_1 <= slice2winner1_best_but_last_0_3 when (slice2winner1_best_but_last_0_3 -
+        slice2winner1_best_late_cost_0_2) < 0 else slice2winner1_best_late_cost_0_2;
+      slice2winner2_best_but_last_0_2 <= slice2winner1_best_but_last_0_5 when (slice2winner1_best_but_last_0_5 -
+        slice2winner1_best_late_cost_0_4) < 0 else slice2winner1_best_late_cost_0_4;
+      slice2winner2_best_but_last_0_3 <= slice2winner1_best_but_last_0_7 when (slice2winner1_best_but_last_0_7 -
+        slice2winner1_best_late_cost_0_6) < 0 else slice2winner1_best_late_cost_0_6;
       -- slice2winner3
-      slice2winner3_best_index_0_0_is_less := slice2winner2_best_cost_0_0 < slice2winner2_best_cost_0_1;
-      slice2winner3_best_index_0_1_is_less := slice2winner2_best_cost_0_2 < slice2winner2_best_cost_0_3;
+      slice2winner3_best_index_0_0_is_not_less := (slice2winner2_best_cost_0_0 - slice2winner2_best_cost_0_1) >= 0;
+      slice2winner3_best_index_0_1_is_not_less := (slice2winner2_best_cost_0_2 - slice2winner2_best_cost_0_3) >= 0;
       slice2winner3_best_below_0_0_is_equal := slice2winner2_best_index_0_1 = 4;
       slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2winner3_best_below_0_0_is_equal
         else slice2winner2_best_below_0_1;
@@ -4078,76 +4122,90 @@ begin
       slice2winner3_best_above_0_0_is_equal := slice2winner2_best_index_0_0 = 3;
       slice2winner3_best_above_0_0_choice := slice2winner2_best_first_0_1 when slice2winner3_best_above_0_0_is_equal
         else slice2winner2_best_above_0_0;
-      slice2winner3_best_above_0_1_all := ((slice2winner2_best_index_0_2 / 8) = 1) and ((slice2winner2_best_index_0_2
-        mod 4) = 3);
-      slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3 when slice2winner3_best_above_0_1_all else
-        slice2winner2_best_above_0_2;
-      slice2winner3_best_second_0_0_choice := slice2winner2_best_but_first_0_1 when
-        slice2winner3_best_above_0_0_is_equal else slice2winner2_best_cost_0_1;
-      slice2winner3_best_second_0_0_choice_2 := slice2winner3_best_second_0_0_choice when
-        slice2winner3_best_second_0_0_choice < slice2winner2_best_second_0_0 else slice2winner2_best_second_0_0;
-      slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_but_last_0_0 when
-        slice2winner3_best_below_0_0_is_equal else slice2winner2_best_cost_0_0;
-      slice2winner3_best_second_0_0_choice_4 := slice2winner3_best_second_0_0_choice_3 when
-        slice2winner3_best_second_0_0_choice_3 < slice2winner2_best_second_0_1 else slice2winner2_best_second_0_1;
-      slice2winner3_best_second_0_1_choice := slice2winner2_best_but_first_0_3 when slice2winner3_best_above_0_1_all
-        else slice2winner2_best_cost_0_3;
-      slice2winner3_best_second_0_1_choice_2 := slice2winner3_best_second_0_1_choice when
-        slice2winner3_best_second_0_1_choice < slice2winner2_best_second_0_2 else slice2winner2_best_second_0_2;
-      slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_but_last_0_2 when
-        slice2winner3_best_below_0_1_is_equal else slice2winner2_best_cost_0_2;
-      slice2winner3_best_second_0_1_choice_4 := slice2winner3_best_second_0_1_choice_3 when
-        slice2winner3_best_second_0_1_choice_3 < slice2winner2_best_second_0_3 else slice2winner2_best_second_0_3;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner2_best_cost_0_1 <
-        slice2winner2_best_cost_0_0 else slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner2_best_cost_0_3 <
-        slice2winner2_best_cost_0_2 else slice2winner2_best_cost_0_2;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0 when slice2winner3_best_index_0_0_is_less else
-        slice2winner2_best_index_0_1;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2 when slice2winner3_best_index_0_1_is_less else
-        slice2winner2_best_index_0_3;
-      slice2winner3_best_below_0_0 <= slice2winner2_best_below_0_0 when slice2winner3_best_index_0_0_is_less else
-        slice2winner3_best_below_0_0_choice;
-      slice2winner3_best_below_0_1 <= slice2winner2_best_below_0_2 when slice2winner3_best_index_0_1_is_less else
-        slice2winner3_best_below_0_1_choice;
-      slice2winner3_best_above_0_0 <= slice2winner3_best_above_0_0_choice when slice2winner3_best_index_0_0_is_less
-        else slice2winner2_best_above_0_1;
-      slice2winner3_best_above_0_1 <= slice2winner3_best_above_0_1_choice when slice2winner3_best_index_0_1_is_less
-        else slice2winner2_best_above_0_3;
+      slice2winner3_best_above_0_1_is_equal := (slice2winner2_best_index_0_2 mod 4) = 3;
+      slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3 when ((slice2winner2_best_index_0_2 / 8) = 1)
+        and slice2winner3_best_above_0_1_is_equal else slice2winner2_best_above_0_2;
+      slice2winner3_best_second_0_0_choice := slice2winner2_best_second_0_1 when slice2winner3_best_place_0_0 else
+        slice2winner2_best_late_cost_0_1;
+      slice2winner3_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_1 when slice2winner3_best_at_end_0_0
+        else slice2winner3_best_second_0_0_choice;
+      slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0 when slice2winner3_best_place_0_0 else
+        slice2winner2_best_second_0_0;
+      slice2winner3_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0 when slice2winner3_best_at_start_0_0
+        else slice2winner3_best_second_0_0_choice_3;
+      slice2winner3_best_second_0_1_choice := slice2winner2_best_second_0_3 when slice2winner3_best_place_0_1 else
+        slice2winner2_best_late_cost_0_3;
+      slice2winner3_best_second_0_1_choice_2 := slice2winner2_best_but_first_0_3 when slice2winner3_best_at_end_0_1
+        else slice2winner3_best_second_0_1_choice;
+      slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_late_cost_0_2 when slice2winner3_best_place_0_1 else
+        slice2winner2_best_second_0_2;
+      slice2winner3_best_second_0_1_choice_4 := slice2winner2_best_but_last_0_2 when slice2winner3_best_at_start_0_1
+        else slice2winner3_best_second_0_1_choice_3;
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when (slice2winner2_best_cost_0_1 -
+        slice2winner2_best_cost_0_0) < 0 else slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when (slice2winner2_best_cost_0_3 -
+        slice2winner2_best_cost_0_2) < 0 else slice2winner2_best_cost_0_2;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_index_0_0_is_not_less else
+        slice2winner2_best_index_0_0;
+      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_index_0_1_is_not_less else
+        slice2winner2_best_index_0_2;
+      slice2winner3_best_below_0_0 <= slice2winner3_best_below_0_0_choice when slice2winner3_best_index_0_0_is_not_less
+        else slice2winner2_best_below_0_0;
+      slice2winner3_best_below_0_1 <= slice2winner3_best_below_0_1_choice when slice2winner3_best_index_0_1_is_not_less
+        else slice2winner2_best_below_0_2;
+      slice2winner3_best_above_0_0 <= slice2winner2_best_above_0_1 when slice2winner3_best_index_0_0_is_not_less else
+        slice2winner3_best_above_0_0_choice;
+      slice2winner3_best_above_0_1 <= slice2winner2_best_above_0_3 when slice2winner3_best_index_0_1_is_not_less else
+        slice2winner3_best_above_0_1_choice;
       slice2winner3_best_first_0_0 <= slice2winner2_best_first_0_0;
       slice2winner3_best_first_0_1 <= slice2winner2_best_first_0_2;
       slice2winner3_best_last_0_0 <= slice2winner2_best_last_0_1;
       slice2winner3_best_last_0_1 <= slice2winner2_best_last_0_3;
-      slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_2 when slice2winner3_best_index_0_0_is_less
-        else slice2winner3_best_second_0_0_choice_4;
-      slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_2 when slice2winner3_best_index_0_1_is_less
-        else slice2winner3_best_second_0_1_choice_4;
-      slice2winner3_best_but_first_0_0 <= slice2winner2_best_cost_0_1 when slice2winner2_best_cost_0_1 <
-        slice2winner2_best_but_first_0_0 else slice2winner2_best_but_first_0_0;
-      slice2winner3_best_but_first_0_1 <= slice2winner2_best_cost_0_3 when slice2winner2_best_cost_0_3 <
-        slice2winner2_best_but_first_0_2 else slice2winner2_best_but_first_0_2;
-      slice2winner3_best_but_last_0_0 <= slice2winner2_best_but_last_0_1 when slice2winner2_best_but_last_0_1 <
-        slice2winner2_best_cost_0_0 else slice2winner2_best_cost_0_0;
-      slice2winner3_best_but_last_0_1 <= slice2winner2_best_but_last_0_3 when slice2winner2_best_but_last_0_3 <
-        slice2winner2_best_cost_0_2 else slice2winner2_best_cost_0_2;
+      slice2winner3_best_place_0_0 <= slice2winner3_best_index_0_0_is_not_less;
+      slice2winner3_best_place_0_1 <= slice2winner3_best_index_0_1_is_not_less;
+      slice2winner3_best_at_start_0_0 <= slice2winner3_best_index_0_0_is_not_less and
+        slice2winner3_best_below_0_0_is_equal;
+      slice2winner3_best_at_start_0_1 <= slice2winner3_best_below_0_1_is_equal and
+        slice2winner3_best_index_0_1_is_not_less;
+      slice2winner3_best_at_end_0_0 <= ((slice2winner2_best_cost_0_0 - slice2winner2_best_cost_0_1) < 0) and
+        slice2winner3_best_above_0_0_is_equal;
+      slice2winner3_best_at_end_0_1 <= ((slice2winner2_best_cost_0_2 - slice2winner2_best_cost_0_3) < 0) and
+        ((slice2winner2_best_index_0_2 / 8) = 1) and slice2winner3_best_above_0_1_is_equal;
+      slice2winner3_best_late_cost_0_0 <= slice2winner3_best_cost_0_0;
+      slice2winner3_best_late_cost_0_1 <= slice2winner3_best_cost_0_1;
+      slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_2 when
+        (slice2winner3_best_second_0_0_choice_2 - slice2winner3_best_second_0_0_choice_4) < 0 else
+        slice2winner3_best_second_0_0_choice_4;
+      slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_2 when
+        (slice2winner3_best_second_0_1_choice_2 - slice2winner3_best_second_0_1_choice_4) < 0 else
+        slice2winner3_best_second_0_1_choice_4;
+      slice2winner3_best_but_first_0_0 <= slice2winner2_best_late_cost_0_1 when (slice2winner2_best_late_cost_0_1 -
+        slice2winner2_best_but_first_0_0) < 0 else slice2winner2_best_but_first_0_0;
+      slice2winner3_best_but_first_0_1 <= slice2winner2_best_late_cost_0_3 when (slice2winner2_best_late_cost_0_3 -
+        slice2winner2_best_but_first_0_2) < 0 else slice2winner2_best_but_first_0_2;
+      slice2winner3_best_but_last_0_0 <= slice2winner2_best_but_last_0_1 when (slice2winner2_best_but_last_0_1 -
+        slice2winner2_best_late_cost_0_0) < 0 else slice2winner2_best_late_cost_0_0;
+      slice2winner3_best_but_last_0_1 <= slice2winner2_best_but_last_0_3 when (slice2winner2_best_but_last_0_3 -
+        slice2winner2_best_late_cost_0_2) < 0 else slice2winner2_best_late_cost_0_2;
       -- slice2winner4
-      slice2winner4_best_index_0_0_is_less := slice2winner3_best_cost_0_0 < slice2winner3_best_cost_0_1;
+      slice2winner4_best_index_0_0_is_less := (slice2winner3_best_cost_0_0 - slice2winner3_best_cost_0_1) < 0;
       slice2winner4_best_below_0_0_is_equal := slice2winner3_best_index_0_1 = 8;
       slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0 when slice2winner4_best_below_0_0_is_equal
         else slice2winner3_best_below_0_1;
       slice2winner4_best_above_0_0_is_equal := slice2winner3_best_index_0_0 = 7;
       slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1 when slice2winner4_best_above_0_0_is_equal
         else slice2winner3_best_above_0_0;
-      slice2winner4_best_second_0_0_choice := slice2winner3_best_but_first_0_1 when
-        slice2winner4_best_above_0_0_is_equal else slice2winner3_best_cost_0_1;
-      slice2winner4_best_second_0_0_choice_2 := slice2winner4_best_second_0_0_choice when
-        slice2winner4_best_second_0_0_choice < slice2winner3_best_second_0_0 else slice2winner3_best_second_0_0;
-      slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_but_last_0_0 when
-        slice2winner4_best_below_0_0_is_equal else slice2winner3_best_cost_0_0;
-      slice2winner4_best_second_0_0_choice_4 := slice2winner4_best_second_0_0_choice_3 when
-        slice2winner4_best_second_0_0_choice_3 < slice2winner3_best_second_0_1 else slice2winner3_best_second_0_1;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner3_best_cost_0_1 <
-        slice2winner3_best_cost_0_0 else slice2winner3_best_cost_0_0;
+      slice2winner4_best_place_0_0_is_not_less := (slice2winner3_best_cost_0_0 - slice2winner3_best_cost_0_1) >= 0;
+      slice2winner4_best_second_0_0_choice := slice2winner3_best_second_0_1 when slice2winner4_best_place_0_0 else
+        slice2winner3_best_late_cost_0_1;
+      slice2winner4_best_second_0_0_choice_2 := slice2winner3_best_but_first_0_1 when slice2winner4_best_at_end_0_0
+        else slice2winner4_best_second_0_0_choice;
+      slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_late_cost_0_0 when slice2winner4_best_place_0_0 else
+        slice2winner3_best_second_0_0;
+      slice2winner4_best_second_0_0_choice_4 := slice2winner3_best_but_last_0_0 when slice2winner4_best_at_start_0_0
+        else slice2winner4_best_second_0_0_choice_3;
+      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when (slice2winner3_best_cost_0_1 -
+        slice2winner3_best_cost_0_0) < 0 else slice2winner3_best_cost_0_0;
       slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0 when slice2winner4_best_index_0_0_is_less else
         slice2winner3_best_index_0_1;
       slice2winner4_best_below_0_0 <= slice2winner3_best_below_0_0 when slice2winner4_best_index_0_0_is_less else
@@ -4156,30 +4214,41 @@ begin
         else slice2winner3_best_above_0_1;
       slice2winner4_best_first_0_0 <= slice2winner3_best_first_0_0;
       slice2winner4_best_last_0_0 <= slice2winner3_best_last_0_1;
-      slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_2 when slice2winner4_best_index_0_0_is_less
-        else slice2winner4_best_second_0_0_choice_4;
-      slice2winner4_best_but_first_0_0 <= slice2winner3_best_cost_0_1 when slice2winner3_best_cost_0_1 <
-        slice2winner3_best_but_first_0_0 else slice2winner3_best_but_first_0_0;
-      slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0_1 when slice2winner3_best_but_last_0_1 <
-        slice2winner3_best_cost_0_0 else slice2winner3_best_cost_0_0;
+      slice2winner4_best_place_0_0 <= slice2winner4_best_place_0_0_is_not_less;
+      slice2winner4_best_at_start_0_0 <= slice2winner4_best_below_0_0_is_equal and
+        slice2winner4_best_place_0_0_is_not_less;
+      slice2winner4_best_at_end_0_0 <= slice2winner4_best_index_0_0_is_less and slice2winner4_best_above_0_0_is_equal;
+      slice2winner4_best_late_cost_0_0 <= slice2winner4_best_cost_0_0;
+      slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_2 when
+        (slice2winner4_best_second_0_0_choice_2 - slice2winner4_best_second_0_0_choice_4) < 0 else
+        slice2winner4_best_second_0_0_choice_4;
+      slice2winner4_best_but_first_0_0 <= slice2winner3_best_late_cost_0_1 when (slice2winner3_best_late_cost_0_1 -
+        slice2winner3_best_but_first_0_0) < 0 else slice2winner3_best_but_first_0_0;
+      slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0_1 when (slice2winner3_best_but_last_0_1 -
+        slice2winner3_best_late_cost_0_0) < 0 else slice2winner3_best_late_cost_0_0;
       -- slice2
-      slice2_best_index_0_0_is_less := slice1_best_cost_0_0 < slice2winner4_best_cost_0_0;
+      slice2_best_index_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
       slice2_best_below_0_0_is_equal := slice2winner4_best_index_0_0 = 0;
       slice2_best_below_0_0_choice := slice1_best_last_0_0 when slice2_best_below_0_0_is_equal else
         slice2winner4_best_below_0_0;
       slice2_best_above_0_0_is_equal := slice1_best_index_0_0 = 31;
       slice2_best_above_0_0_choice := slice2winner4_best_first_0_0 when slice2_best_above_0_0_is_equal else
         slice1_best_above_0_0;
-      slice2_best_second_0_0_choice := slice2winner4_best_but_first_0_0 when slice2_best_above_0_0_is_equal else
-        slice2winner4_best_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice when slice2_best_second_0_0_choice <
-        slice1_best_second_0_0 else slice1_best_second_0_0;
-      slice2_best_second_0_0_choice_3 := slice1_best_but_last_0_0 when slice2_best_below_0_0_is_equal else
-        slice1_best_cost_0_0;
-      slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3 when slice2_best_second_0_0_choice_3 <
-        slice2winner4_best_second_0_0 else slice2winner4_best_second_0_0;
-      slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0 when slice2winner4_best_cost_0_0 < slice1_best_cost_0_0 else
-        slice1_best_cost_0_0;
+      slice2_best_place_0_0_is_not_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) >= 0;
+      slice2_best_second_0_0_choice := slice2winner4_best_second_0_0 when slice2_best_place_0_0 else
+        slice2winner4_best_late_cost_0_0;
+      slice2_best_second_0_0_choice_2 := slice2winner4_best_but_first_0_0 when slice2_best_at_end_0_0 else
+        slice2_best_second_0_0_choice;
+      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
+        slice1_best_second_0_0;
+      slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3 when slice2_best_at_end_0_0 and (not
+        slice2_best_at_start_0_0) else slice1_best_but_last_0_0;
+      slice2_best_second_0_0_choice_5 := slice2_best_second_0_0_choice_3 when (not slice2_best_at_end_0_0) and (not
+        slice2_best_at_start_0_0) else slice1_best_but_last_0_0;
+      slice2_best_second_0_0_choice_6 := slice2_best_second_0_0_choice_4 when slice2_best_at_end_0_0 else
+        slice2_best_second_0_0_choice_5;
+      slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0 when (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0
+        else slice1_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_is_less else
         slice2winner4_best_index_0_0 + 32;
       slice2_best_below_0_0 <= slice1_best_below_0_0 when slice2_best_index_0_0_is_less else
@@ -4187,16 +4256,16 @@ begin
       slice2_best_above_0_0 <= slice2_best_above_0_0_choice when slice2_best_index_0_0_is_less else
         slice2winner4_best_above_0_0;
       slice2_best_last_0_0 <= slice2winner4_best_last_0_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when slice2_best_index_0_0_is_less else
-        slice2_best_second_0_0_choice_4;
-      slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0 when slice2winner4_best_but_last_0_0 <
-        slice1_best_cost_0_0 else slice1_best_cost_0_0;
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_output_column <= slice1_best_tag_output_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      slice2_best_place_0_0 <= slice2_best_place_0_0_is_not_less;
+      slice2_best_at_start_0_0 <= slice2_best_below_0_0_is_equal and slice2_best_place_0_0_is_not_less;
+      slice2_best_at_end_0_0 <= slice2_best_index_0_0_is_less and slice2_best_above_0_0_is_equal;
+      slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
+      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
+        slice2_best_second_0_0_choice_6) < 0 else slice2_best_second_0_0_choice_6;
+      slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0 when (slice2winner4_best_but_last_0_0 -
+        slice1_best_late_cost_0_0) < 0 else slice1_best_late_cost_0_0;
       -- slice3shift
-      if slice0cost_pixels_tag_valid then
+      if other_6 then
         slice3shift_search_0_0 <= slice2shift_search_out_0;
         slice3shift_search_0_1 <= slice3shift_search_0_0;
         slice3shift_search_0_2 <= slice3shift_search_0_1;
@@ -4233,64 +4302,58 @@ begin
       slice3shift_reference_0 <= slice2shift_reference_0;
       slice3shift_reference_1 <= slice2shift_reference_1;
       -- slice3cost
-      slice3cost_column_0_0_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 mod 1024;
-      slice3cost_column_0_0_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_0 +
+      slice3cost_column_0_0_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_0 mod 1024;
+      slice3cost_column_0_0_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_0 +
         slice3cost_column_0_0_choice) mod 1024;
-      slice3cost_column_0_1_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_0 / 1024)
+      slice3cost_column_0_1_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_0 / 1024)
         mod 1024;
-      slice3cost_column_0_1_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_1 +
+      slice3cost_column_0_1_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_1 +
         slice3cost_column_0_1_choice) mod 1024;
-      slice3cost_column_0_2_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 /
-        1048576;
-      slice3cost_column_0_2_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_2 +
+      slice3cost_column_0_2_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_0 / 1048576;
+      slice3cost_column_0_2_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_2 +
         slice3cost_column_0_2_choice) mod 1024;
-      slice3cost_column_0_3_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 mod 1024;
-      slice3cost_column_0_3_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_3 +
+      slice3cost_column_0_3_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_1 mod 1024;
+      slice3cost_column_0_3_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_3 +
         slice3cost_column_0_3_choice) mod 1024;
-      slice3cost_column_0_4_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_1 / 1024)
+      slice3cost_column_0_4_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_1 / 1024)
         mod 1024;
-      slice3cost_column_0_4_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_4 +
+      slice3cost_column_0_4_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_4 +
         slice3cost_column_0_4_choice) mod 1024;
-      slice3cost_column_0_5_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 /
-        1048576;
-      slice3cost_column_0_5_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_5 +
+      slice3cost_column_0_5_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_1 / 1048576;
+      slice3cost_column_0_5_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_5 +
         slice3cost_column_0_5_choice) mod 1024;
-      slice3cost_column_0_6_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 mod 1024;
-      slice3cost_column_0_6_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_6 +
+      slice3cost_column_0_6_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_2 mod 1024;
+      slice3cost_column_0_6_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_6 +
         slice3cost_column_0_6_choice) mod 1024;
-      slice3cost_column_0_7_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_2 / 1024)
+      slice3cost_column_0_7_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_2 / 1024)
         mod 1024;
-      slice3cost_column_0_7_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_7 +
+      slice3cost_column_0_7_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_7 +
         slice3cost_column_0_7_choice) mod 1024;
-      slice3cost_column_0_8_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 /
-        1048576;
-      slice3cost_column_0_8_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_8 +
+      slice3cost_column_0_8_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_2 / 1048576;
+      slice3cost_column_0_8_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_8 +
         slice3cost_column_0_8_choice) mod 1024;
-      slice3cost_column_0_9_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 mod 1024;
-      slice3cost_column_0_9_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_9 +
+      slice3cost_column_0_9_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_3 mod 1024;
+      slice3cost_column_0_9_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_9 +
         slice3cost_column_0_9_choice) mod 1024;
-      slice3cost_column_0_10_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_3 /
-        1024) mod 1024;
-      slice3cost_column_0_10_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_10 +
+      slice3cost_column_0_10_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_3 / 1024)
+        mod 1024;
+      slice3cost_column_0_10_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_10 +
         slice3cost_column_0_10_choice) mod 1024;
-      slice3cost_column_0_11_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 /
-        1048576;
-      slice3cost_column_0_11_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_11 +
+      slice3cost_column_0_11_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_3 / 1048576;
+      slice3cost_column_0_11_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_11 +
         slice3cost_column_0_11_choice) mod 1024;
-      slice3cost_column_0_12_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 mod
-        1024;
-      slice3cost_column_0_12_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_12 +
+      slice3cost_column_0_12_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_4 mod 1024;
+      slice3cost_column_0_12_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_12 +
         slice3cost_column_0_12_choice) mod 1024;
-      slice3cost_column_0_13_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_4 /
-        1024) mod 1024;
-      slice3cost_column_0_13_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_13 +
+      slice3cost_column_0_13_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_4 / 1024)
+        mod 1024;
+      slice3cost_column_0_13_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_13 +
         slice3cost_column_0_13_choice) mod 1024;
-      slice3cost_column_0_14_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 /
-        1048576;
-      slice3cost_column_0_14_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_14 +
+      slice3cost_column_0_14_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_4 / 1048576;
+      slice3cost_column_0_14_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_14 +
         slice3cost_column_0_14_choice) mod 1024;
-      slice3cost_column_0_15_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5;
-      slice3cost_column_0_15_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_15 +
+      slice3cost_column_0_15_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_5;
+      slice3cost_column_0_15_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_15 +
         slice3cost_column_0_15_choice) mod 1024;
       slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
@@ -4368,8 +4431,6 @@ begin
         0));
       slice3cost_pixels_cost_1_15 <= folded(slice3cost_pixels_first_1_15) + as_number((slice3cost_pixels_first_1_15 <
         0));
-      slice3cost_read_column <= slice2cost_read_column;
-      slice3cost_change_column <= slice3cost_read_column;
       slice3cost_change_0_0 <= slice3cost_pixels_cost_1_0 - slice3cost_pixels_cost_0_0;
       slice3cost_change_0_1 <= slice3cost_pixels_cost_1_1 - slice3cost_pixels_cost_0_1;
       slice3cost_change_0_2 <= slice3cost_pixels_cost_1_2 - slice3cost_pixels_cost_0_2;
@@ -4392,6 +4453,9 @@ begin
       slice3cost_ready_words_3 <= to_integer(slice3cost_read_words_3);
       slice3cost_ready_words_4 <= to_integer(slice3cost_read_words_4);
       slice3cost_ready_words_5 <= to_integer(slice3cost_read_words_5);
+      slice3cost_ready_column <= other_120;
+      slice3cost_ready_tag_first_group <= slice2cost_ready_tag_first_group;
+      slice3cost_ready_tag_border_column <= slice2cost_ready_tag_border_column;
       slice3cost_column_0_0 <= slice3cost_column_0_0_choice_2;
       slice3cost_column_0_1 <= slice3cost_column_0_1_choice_2;
       slice3cost_column_0_2 <= slice3cost_column_0_2_choice_2;
@@ -4408,11 +4472,8 @@ begin
       slice3cost_column_0_13 <= slice3cost_column_0_13_choice_2;
       slice3cost_column_0_14 <= slice3cost_column_0_14_choice_2;
       slice3cost_column_0_15 <= slice3cost_column_0_15_choice_2;
-      if slice0window_entering_tag_valid then
-        slice3cost_ready_column <= slice3cost_change_column;
-      end if;
       if slice0window_change_tag_valid then
-        slice3cost_write_column <= slice2cost_write_column;
+        slice3cost_write_column <= slice3cost_ready_column;
         slice3cost_write_words_0 <= (slice3cost_column_0_1_choice_2 * 1024) + slice3cost_column_0_0_choice_2 +
           (slice3cost_column_0_2_choice_2 * 1048576);
         slice3cost_write_words_1 <= (slice3cost_column_0_4_choice_2 * 1024) + slice3cost_column_0_3_choice_2 +
@@ -4426,87 +4487,87 @@ begin
         slice3cost_write_words_5 <= slice3cost_column_0_15_choice_2;
       end if;
       -- slice3window
-      if slice0window_tag_valid then
+      if slice1window_change_tag_valid then
         slice3window_ring_read_address <= 0 when slice3window_ring_read_address = 15 else
           (slice3window_ring_read_address + 1) mod 16;
         slice3window_ring_write_address <= slice3window_ring_read_address;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(9 downto 0));
       else
         slice3window_change_0_0_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_1_choice := to_integer(slice3window_leaving_0(19 downto 10));
       else
         slice3window_change_0_1_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_2_choice := to_integer(slice3window_leaving_0(29 downto 20));
       else
         slice3window_change_0_2_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_3_choice := to_integer(slice3window_leaving_1(9 downto 0));
       else
         slice3window_change_0_3_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_4_choice := to_integer(slice3window_leaving_1(19 downto 10));
       else
         slice3window_change_0_4_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_5_choice := to_integer(slice3window_leaving_1(29 downto 20));
       else
         slice3window_change_0_5_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_6_choice := to_integer(slice3window_leaving_2(9 downto 0));
       else
         slice3window_change_0_6_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_7_choice := to_integer(slice3window_leaving_2(19 downto 10));
       else
         slice3window_change_0_7_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_8_choice := to_integer(slice3window_leaving_2(29 downto 20));
       else
         slice3window_change_0_8_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_9_choice := to_integer(slice3window_leaving_3(9 downto 0));
       else
         slice3window_change_0_9_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_10_choice := to_integer(slice3window_leaving_3(19 downto 10));
       else
         slice3window_change_0_10_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_11_choice := to_integer(slice3window_leaving_3(29 downto 20));
       else
         slice3window_change_0_11_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_12_choice := to_integer(slice3window_leaving_4(9 downto 0));
       else
         slice3window_change_0_12_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_13_choice := to_integer(slice3window_leaving_4(19 downto 10));
       else
         slice3window_change_0_13_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_14_choice := to_integer(slice3window_leaving_4(29 downto 20));
       else
         slice3window_change_0_14_choice := 0;
       end if;
-      if slice2window_change_tag_leaves_window then
+      if slice3window_entering_tag_leaves_window then
         slice3window_change_0_15_choice := to_integer(slice3window_leaving_5);
       else
         slice3window_change_0_15_choice := 0;
@@ -4527,6 +4588,7 @@ begin
       slice3window_entering_0_13 <= slice3cost_column_0_13;
       slice3window_entering_0_14 <= slice3cost_column_0_14;
       slice3window_entering_0_15 <= slice3cost_column_0_15;
+      slice3window_entering_tag_leaves_window <= slice2window_entering_tag_leaves_window;
       slice3window_change_0_0 <= slice3window_entering_0_0 - slice3window_change_0_0_choice;
       slice3window_change_0_1 <= slice3window_entering_0_1 - slice3window_change_0_1_choice;
       slice3window_change_0_2 <= slice3window_entering_0_2 - slice3window_change_0_2_choice;
@@ -4543,7 +4605,10 @@ begin
       slice3window_change_0_13 <= slice3window_entering_0_13 - slice3window_change_0_13_choice;
       slice3window_change_0_14 <= slice3window_entering_0_14 - slice3window_change_0_14_choice;
       slice3window_change_0_15 <= slice3window_entering_0_15 - slice3window_change_0_15_choice;
+      slice3window_change_tag_valid <= slice2window_change_tag_valid;
       slice3window_change_tag_first_cost <= slice2window_change_tag_first_cost;
+      slice3window_change_tag_output_column <= other_73;
+      slice3window_change_tag_end_of_line <= other_71;
       slice3window_sum_0_0_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_0;
       slice3window_sum_0_1_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_1;
       slice3window_sum_0_2_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_2;
@@ -4560,7 +4625,7 @@ begin
       slice3window_sum_0_13_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_13;
       slice3window_sum_0_14_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_14;
       slice3window_sum_0_15_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_15;
-      if slice0winner2_tag_valid then
+      if slice3window_change_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 16384;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 16384;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 16384;
@@ -4577,47 +4642,52 @@ begin
         slice3window_sum_0_13 <= (slice3window_sum_0_13_choice + slice3window_change_0_13) mod 16384;
         slice3window_sum_0_14 <= (slice3window_sum_0_14_choice + slice3window_change_0_14) mod 16384;
         slice3window_sum_0_15 <= (slice3window_sum_0_15_choice + slice3window_change_0_15) mod 16384;
-        slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
+        slice3window_centre_output_column_0 <= slice3window_change_tag_output_column;
         slice3window_centre_output_column_1 <= slice3window_centre_output_column_0;
         slice3window_centre_output_column_2 <= slice3window_centre_output_column_1;
         slice3window_centre_output_column_3 <= slice3window_centre_output_column_2;
         slice3window_centre_output_column_4 <= slice3window_centre_output_column_3;
         slice3window_centre_output_column_5 <= slice3window_centre_output_column_4;
-        slice3window_centre_start_of_frame_3 <= slice2window_centre_start_of_frame_3;
-        slice3window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_5;
-        slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
+        slice3window_centre_output_column_6 <= slice3window_centre_output_column_5;
+        slice3window_centre_start_of_frame_0 <= other_75;
+        slice3window_centre_start_of_frame_1 <= slice3window_centre_start_of_frame_0;
+        slice3window_centre_start_of_frame_2 <= slice3window_centre_start_of_frame_1;
+        slice3window_centre_start_of_frame_4 <= other_118;
+        slice3window_centre_start_of_frame_5 <= slice3window_centre_start_of_frame_4;
+        slice3window_centre_start_of_frame_6 <= slice3window_centre_start_of_frame_5;
+        slice3window_centre_end_of_line_0 <= slice3window_change_tag_end_of_line;
         slice3window_centre_end_of_line_1 <= slice3window_centre_end_of_line_0;
         slice3window_centre_end_of_line_2 <= slice3window_centre_end_of_line_1;
         slice3window_centre_end_of_line_3 <= slice3window_centre_end_of_line_2;
         slice3window_centre_end_of_line_4 <= slice3window_centre_end_of_line_3;
         slice3window_centre_end_of_line_5 <= slice3window_centre_end_of_line_4;
+        slice3window_centre_end_of_line_6 <= slice3window_centre_end_of_line_5;
       end if;
       -- slice3winner1
-      slice3winner1_best_index_0_0_is_not_less := slice3window_sum_0_0 >= slice3window_sum_0_1;
-      slice3winner1_best_index_0_1_is_less := slice3window_sum_0_2 < slice3window_sum_0_3;
-      slice3winner1_best_index_0_2_is_less := slice3window_sum_0_4 < slice3window_sum_0_5;
-      slice3winner1_best_index_0_3_is_less := slice3window_sum_0_6 < slice3window_sum_0_7;
-      slice3winner1_best_index_0_4_is_less := slice3window_sum_0_8 < slice3window_sum_0_9;
-      slice3winner1_best_index_0_5_is_less := slice3window_sum_0_10 < slice3window_sum_0_11;
-      slice3winner1_best_index_0_6_is_less := slice3window_sum_0_12 < slice3window_sum_0_13;
-      slice3winner1_best_index_0_7_is_less := slice3window_sum_0_14 < slice3window_sum_0_15;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3window_sum_0_1 < slice3window_sum_0_0 else
+      slice3winner1_best_index_0_1_is_less := (slice3window_sum_0_2 - slice3window_sum_0_3) < 0;
+      slice3winner1_best_index_0_2_is_less := (slice3window_sum_0_4 - slice3window_sum_0_5) < 0;
+      slice3winner1_best_index_0_3_is_less := (slice3window_sum_0_6 - slice3window_sum_0_7) < 0;
+      slice3winner1_best_index_0_4_is_less := (slice3window_sum_0_8 - slice3window_sum_0_9) < 0;
+      slice3winner1_best_index_0_5_is_less := (slice3window_sum_0_10 - slice3window_sum_0_11) < 0;
+      slice3winner1_best_index_0_6_is_less := (slice3window_sum_0_12 - slice3window_sum_0_13) < 0;
+      slice3winner1_best_index_0_7_is_less := (slice3window_sum_0_14 - slice3window_sum_0_15) < 0;
+      slice3winner1_best_below_0_0_is_not_less := (slice3window_sum_0_0 - slice3window_sum_0_1) >= 0;
+      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when (slice3window_sum_0_1 - slice3window_sum_0_0) < 0 else
         slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3window_sum_0_3 < slice3window_sum_0_2 else
+      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when (slice3window_sum_0_3 - slice3window_sum_0_2) < 0 else
         slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3window_sum_0_5 < slice3window_sum_0_4 else
+      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when (slice3window_sum_0_5 - slice3window_sum_0_4) < 0 else
         slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3window_sum_0_7 < slice3window_sum_0_6 else
+      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when (slice3window_sum_0_7 - slice3window_sum_0_6) < 0 else
         slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3window_sum_0_9 < slice3window_sum_0_8 else
+      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when (slice3window_sum_0_9 - slice3window_sum_0_8) < 0 else
         slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3window_sum_0_11 < slice3window_sum_0_10 else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3window_sum_0_13 < slice3window_sum_0_12 else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3window_sum_0_15 < slice3window_sum_0_14 else
-        slice3window_sum_0_14;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_index_0_0_is_not_less;
+      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when (slice3window_sum_0_11 - slice3window_sum_0_10) < 0
+        else slice3window_sum_0_10;
+      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when (slice3window_sum_0_13 - slice3window_sum_0_12) < 0
+        else slice3window_sum_0_12;
+      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when (slice3window_sum_0_15 - slice3window_sum_0_14) < 0
+        else slice3window_sum_0_14;
       slice3winner1_best_index_0_1 <= 2 when slice3winner1_best_index_0_1_is_less else 3;
       slice3winner1_best_index_0_2 <= 4 when slice3winner1_best_index_0_2_is_less else 5;
       slice3winner1_best_index_0_3 <= 6 when slice3winner1_best_index_0_3_is_less else 7;
@@ -4625,7 +4695,7 @@ begin
       slice3winner1_best_index_0_5 <= 10 when slice3winner1_best_index_0_5_is_less else 11;
       slice3winner1_best_index_0_6 <= 12 when slice3winner1_best_index_0_6_is_less else 13;
       slice3winner1_best_index_0_7 <= 14 when slice3winner1_best_index_0_7_is_less else 15;
-      slice3winner1_best_below_0_0 <= slice3window_sum_0_0 when slice3winner1_best_index_0_0_is_not_less else 0;
+      slice3winner1_best_below_0_0 <= slice3window_sum_0_0 when slice3winner1_best_below_0_0_is_not_less else 0;
       slice3winner1_best_below_0_1 <= 0 when slice3winner1_best_index_0_1_is_less else slice3window_sum_0_2;
       slice3winner1_best_below_0_2 <= 0 when slice3winner1_best_index_0_2_is_less else slice3window_sum_0_4;
       slice3winner1_best_below_0_3 <= 0 when slice3winner1_best_index_0_3_is_less else slice3window_sum_0_6;
@@ -4633,7 +4703,7 @@ begin
       slice3winner1_best_below_0_5 <= 0 when slice3winner1_best_index_0_5_is_less else slice3window_sum_0_10;
       slice3winner1_best_below_0_6 <= 0 when slice3winner1_best_index_0_6_is_less else slice3window_sum_0_12;
       slice3winner1_best_below_0_7 <= 0 when slice3winner1_best_index_0_7_is_less else slice3window_sum_0_14;
-      slice3winner1_best_above_0_0 <= 0 when slice3winner1_best_index_0_0_is_not_less else slice3window_sum_0_1;
+      slice3winner1_best_above_0_0 <= 0 when slice3winner1_best_below_0_0_is_not_less else slice3window_sum_0_1;
       slice3winner1_best_above_0_1 <= slice3window_sum_0_3 when slice3winner1_best_index_0_1_is_less else 0;
       slice3winner1_best_above_0_2 <= slice3window_sum_0_5 when slice3winner1_best_index_0_2_is_less else 0;
       slice3winner1_best_above_0_3 <= slice3window_sum_0_7 when slice3winner1_best_index_0_3_is_less else 0;
@@ -4642,118 +4712,130 @@ begin
       slice3winner1_best_above_0_6 <= slice3window_sum_0_13 when slice3winner1_best_index_0_6_is_less else 0;
       slice3winner1_best_above_0_7 <= slice3window_sum_0_15 when slice3winner1_best_index_0_7_is_less else 0;
       slice3winner1_best_first_0_0 <= slice3window_sum_0_0;
-      slice3winner1_best_first_0_1 <= slice3window_sum_0_2 when slice3window_sum_0_2 < 16383 else 16383;
+      slice3winner1_best_first_0_1 <= slice3window_sum_0_2;
       slice3winner1_best_first_0_2 <= slice3window_sum_0_4;
-      slice3winner1_best_first_0_3 <= slice3window_sum_0_6 when slice3window_sum_0_6 < 16383 else 16383;
+      slice3winner1_best_first_0_3 <= slice3window_sum_0_6;
       slice3winner1_best_first_0_4 <= slice3window_sum_0_8;
-      slice3winner1_best_first_0_5 <= slice3window_sum_0_10 when slice3window_sum_0_10 < 16383 else 16383;
+      slice3winner1_best_first_0_5 <= slice3window_sum_0_10;
       slice3winner1_best_first_0_6 <= slice3window_sum_0_12;
-      slice3winner1_best_first_0_7 <= slice3window_sum_0_14;
-      slice3winner1_best_last_0_0 <= slice3window_sum_0_1 when slice3window_sum_0_1 < 16383 else 16383;
+      slice3winner1_best_last_0_0 <= slice3window_sum_0_1;
       slice3winner1_best_last_0_1 <= slice3window_sum_0_3;
-      slice3winner1_best_last_0_2 <= slice3window_sum_0_5 when slice3window_sum_0_5 < 16383 else 16383;
+      slice3winner1_best_last_0_2 <= slice3window_sum_0_5;
       slice3winner1_best_last_0_3 <= slice3window_sum_0_7;
-      slice3winner1_best_last_0_4 <= slice3window_sum_0_9 when slice3window_sum_0_9 < 16383 else 16383;
+      slice3winner1_best_last_0_4 <= slice3window_sum_0_9;
       slice3winner1_best_last_0_5 <= slice3window_sum_0_11;
-      slice3winner1_best_last_0_6 <= slice3window_sum_0_13 when slice3window_sum_0_13 < 16383 else 16383;
-      slice3winner1_best_last_0_7 <= slice3window_sum_0_15 when slice3window_sum_0_15 < 16383 else 16383;
-      slice3winner1_best_but_first_0_0 <= slice3window_sum_0_1;
-      slice3winner1_best_but_first_0_1 <= slice3window_sum_0_3 when slice3window_sum_0_3 < 16383 else 16383;
-      slice3winner1_best_but_first_0_2 <= slice3window_sum_0_5;
-      slice3winner1_best_but_first_0_3 <= slice3window_sum_0_7 when slice3window_sum_0_7 < 16383 else 16383;
-      slice3winner1_best_but_first_0_4 <= slice3window_sum_0_9;
-      slice3winner1_best_but_first_0_5 <= slice3window_sum_0_11 when slice3window_sum_0_11 < 16383 else 16383;
-      slice3winner1_best_but_first_0_6 <= slice3window_sum_0_13;
-      slice3winner1_best_but_last_0_0 <= slice3window_sum_0_0 when slice3window_sum_0_0 < 16383 else 16383;
-      slice3winner1_best_but_last_0_1 <= slice3window_sum_0_2;
-      slice3winner1_best_but_last_0_2 <= slice3window_sum_0_4 when slice3window_sum_0_4 < 16383 else 16383;
-      slice3winner1_best_but_last_0_3 <= slice3window_sum_0_6;
-      slice3winner1_best_but_last_0_4 <= slice3window_sum_0_8 when slice3window_sum_0_8 < 16383 else 16383;
-      slice3winner1_best_but_last_0_5 <= slice3window_sum_0_10;
-      slice3winner1_best_but_last_0_6 <= slice3window_sum_0_12 when slice3window_sum_0_12 < 16383 else 16383;
+      slice3winner1_best_last_0_6 <= slice3window_sum_0_13;
+      slice3winner1_best_last_0_7 <= slice3window_sum_0_15;
+      slice3winner1_best_late_cost_0_0 <= slice3winner1_best_cost_0_0;
+      slice3winner1_best_late_cost_0_1 <= slice3winner1_best_cost_0_1;
+      slice3winner1_best_late_cost_0_2 <= slice3winner1_best_cost_0_2;
+      slice3winner1_best_late_cost_0_3 <= slice3winner1_best_cost_0_3;
+      slice3winner1_best_late_cost_0_4 <= slice3winner1_best_cost_0_4;
+      slice3winner1_best_late_cost_0_5 <= slice3winner1_best_cost_0_5;
+      slice3winner1_best_late_cost_0_6 <= slice3winner1_best_cost_0_6;
+      slice3winner1_best_late_cost_0_7 <= slice3winner1_best_cost_0_7;
+      slice3winner1_best_but_first_0_0 <= slice3winner1_best_last_0_0;
+      slice3winner1_best_but_first_0_1 <= slice3winner1_best_last_0_1;
+      slice3winner1_best_but_first_0_2 <= slice3winner1_best_last_0_2;
+      slice3winner1_best_but_first_0_3 <= slice3winner1_best_last_0_3;
+      slice3winner1_best_but_first_0_4 <= slice3winner1_best_last_0_4;
+      slice3winner1_best_but_first_0_5 <= slice3winner1_best_last_0_5;
+      slice3winner1_best_but_first_0_6 <= slice3winner1_best_last_0_6;
+      slice3winner1_best_but_first_0_7 <= slice3winner1_best_last_0_7;
+      slice3winner1_best_but_last_0_0 <= slice3winner1_best_first_0_0;
+      slice3winner1_best_but_last_0_1 <= slice3winner1_best_first_0_1;
+      slice3winner1_best_but_last_0_2 <= slice3winner1_best_first_0_2;
+      slice3winner1_best_but_last_0_3 <= slice3winner1_best_first_0_3;
+      slice3winner1_best_but_last_0_4 <= slice3winner1_best_first_0_4;
+      slice3winner1_best_but_last_0_5 <= slice3winner1_best_first_0_5;
+      slice3winner1_best_but_last_0_6 <= slice3winner1_best_first_0_6;
       -- slice3winner2
-      slice3winner2_best_index_0_0_is_less := slice3winner1_best_cost_0_0 < slice3winner1_best_cost_0_1;
-      slice3winner2_best_index_0_1_is_less := slice3winner1_best_cost_0_2 < slice3winner1_best_cost_0_3;
-      slice3winner2_best_index_0_2_is_less := slice3winner1_best_cost_0_4 < slice3winner1_best_cost_0_5;
-      slice3winner2_best_index_0_3_is_less := slice3winner1_best_cost_0_6 < slice3winner1_best_cost_0_7;
-      slice3winner2_best_below_0_0_choice := slice3winner1_best_but_first_0_0 when other_15 else
+      slice3winner2_best_index_0_0_is_not_less := (slice3winner1_best_cost_0_0 - slice3winner1_best_cost_0_1) >= 0;
+      slice3winner2_best_index_0_1_is_not_less := (slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) >= 0;
+      slice3winner2_best_index_0_2_is_not_less := (slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) >= 0;
+      slice3winner2_best_index_0_3_is_not_less := (slice3winner1_best_cost_0_6 - slice3winner1_best_cost_0_7) >= 0;
+      slice3winner2_best_below_0_0_choice := slice3winner1_best_last_0_0 when other_10 else
         slice3winner1_best_below_0_1;
-      slice3winner2_best_below_0_1_choice := slice3winner1_best_but_first_0_2 when other_0 else
+      slice3winner2_best_below_0_1_choice := slice3winner1_best_last_0_2 when other_11 else
         slice3winner1_best_below_0_3;
-      slice3winner2_best_below_0_2_choice := slice3winner1_best_but_first_0_4 when other_1 else
+      slice3winner2_best_below_0_2_choice := slice3winner1_best_last_0_4 when other_13 else
         slice3winner1_best_below_0_5;
-      slice3winner2_best_below_0_3_choice := slice3winner1_best_but_first_0_6 when other_2 else
+      slice3winner2_best_below_0_3_choice := slice3winner1_best_last_0_6 when other_14 else
         slice3winner1_best_below_0_7;
-      slice3winner2_best_above_0_0_choice := slice3winner1_best_but_last_0_1 when slice3winner1_best_index_0_0 else
+      slice3winner2_best_above_0_0_choice := slice3winner1_best_first_0_1 when other_9 else
         slice3winner1_best_above_0_0;
-      slice3winner2_best_above_0_1_all := ((slice3winner1_best_index_0_2 / 4) = 1) and ((slice3winner1_best_index_0_2
-        mod 2) = 1);
-      slice3winner2_best_above_0_1_choice := slice3winner1_best_but_last_0_3 when slice3winner2_best_above_0_1_all else
-        slice3winner1_best_above_0_2;
-      slice3winner2_best_above_0_2_all := ((slice3winner1_best_index_0_4 / 8) = 1) and ((slice3winner1_best_index_0_4
-        mod 2) = 1);
-      slice3winner2_best_above_0_2_choice := slice3winner1_best_but_last_0_5 when slice3winner2_best_above_0_2_all else
-        slice3winner1_best_above_0_4;
-      slice3winner2_best_above_0_3_all := ((slice3winner1_best_index_0_6 / 8) = 1) and (((slice3winner1_best_index_0_6
-        / 4) mod 2) = 1) and ((slice3winner1_best_index_0_6 mod 2) = 1);
-      slice3winner2_best_above_0_3_choice := slice3winner1_best_first_0_7 when slice3winner2_best_above_0_3_all else
+      slice3winner2_best_above_0_1_choice := slice3winner1_best_first_0_3 when ((slice3winner1_best_index_0_2 / 4) = 1)
+        and ((slice3winner1_best_index_0_2 mod 2) = 1) else slice3winner1_best_above_0_2;
+      slice3winner2_best_above_0_2_choice := slice3winner1_best_first_0_5 when ((slice3winner1_best_index_0_4 / 8) = 1)
+        and ((slice3winner1_best_index_0_4 mod 2) = 1) else slice3winner1_best_above_0_4;
+      slice3winner2_best_above_0_3_value := ((slice3winner1_best_index_0_6 / 4) mod 2) = 1;
+      slice3winner2_best_above_0_3_choice := other_117 when ((slice3winner1_best_index_0_6 / 8) = 1) and
+        slice3winner2_best_above_0_3_value and ((slice3winner1_best_index_0_6 mod 2) = 1) else
         slice3winner1_best_above_0_6;
-      slice3winner2_best_second_0_0_choice := slice3winner1_best_but_first_0_1 when slice3winner1_best_index_0_0 else
-        slice3winner1_best_cost_0_1;
-      slice3winner2_best_second_0_0_choice_2 := slice3winner1_best_but_last_0_0 when other_15 else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_second_0_0_choice_3 := slice3winner2_best_second_0_0_choice when
-        slice3winner2_best_index_0_0_is_less else slice3winner2_best_second_0_0_choice_2;
-      slice3winner2_best_second_0_1_choice := slice3winner1_best_but_first_0_3 when slice3winner2_best_above_0_1_all
-        else slice3winner1_best_cost_0_3;
-      slice3winner2_best_second_0_1_choice_2 := slice3winner1_best_but_last_0_2 when other_0 else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_second_0_1_choice_3 := slice3winner2_best_second_0_1_choice when
-        slice3winner2_best_index_0_1_is_less else slice3winner2_best_second_0_1_choice_2;
-      slice3winner2_best_second_0_2_choice := slice3winner1_best_but_first_0_5 when slice3winner2_best_above_0_2_all
-        else slice3winner1_best_cost_0_5;
-      slice3winner2_best_second_0_2_choice_2 := slice3winner1_best_but_last_0_4 when other_1 else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_second_0_2_choice_3 := slice3winner2_best_second_0_2_choice when
-        slice3winner2_best_index_0_2_is_less else slice3winner2_best_second_0_2_choice_2;
-      slice3winner2_best_second_0_3_choice := slice3winner1_best_last_0_7 when slice3winner2_best_above_0_3_all else
-        slice3winner1_best_cost_0_7;
-      slice3winner2_best_second_0_3_choice_2 := slice3winner1_best_but_last_0_6 when other_2 else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_second_0_3_choice_3 := slice3winner2_best_second_0_3_choice when
-        slice3winner2_best_index_0_3_is_less else slice3winner2_best_second_0_3_choice_2;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner1_best_cost_0_1 <
-        slice3winner1_best_cost_0_0 else slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner1_best_cost_0_3 <
-        slice3winner1_best_cost_0_2 else slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner1_best_cost_0_5 <
-        slice3winner1_best_cost_0_4 else slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner1_best_cost_0_7 <
-        slice3winner1_best_cost_0_6 else slice3winner1_best_cost_0_6;
-      slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0) when slice3winner2_best_index_0_0_is_less
-        else slice3winner1_best_index_0_1;
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2 when slice3winner2_best_index_0_1_is_less else
-        slice3winner1_best_index_0_3;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4 when slice3winner2_best_index_0_2_is_less else
-        slice3winner1_best_index_0_5;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6 when slice3winner2_best_index_0_3_is_less else
-        slice3winner1_best_index_0_7;
-      slice3winner2_best_below_0_0 <= slice3winner1_best_below_0_0 when slice3winner2_best_index_0_0_is_less else
-        slice3winner2_best_below_0_0_choice;
-      slice3winner2_best_below_0_1 <= slice3winner1_best_below_0_2 when slice3winner2_best_index_0_1_is_less else
-        slice3winner2_best_below_0_1_choice;
-      slice3winner2_best_below_0_2 <= slice3winner1_best_below_0_4 when slice3winner2_best_index_0_2_is_less else
-        slice3winner2_best_below_0_2_choice;
-      slice3winner2_best_below_0_3 <= slice3winner1_best_below_0_6 when slice3winner2_best_index_0_3_is_less else
-        slice3winner2_best_below_0_3_choice;
-      slice3winner2_best_above_0_0 <= slice3winner2_best_above_0_0_choice when slice3winner2_best_index_0_0_is_less
-        else slice3winner1_best_above_0_1;
-      slice3winner2_best_above_0_1 <= slice3winner2_best_above_0_1_choice when slice3winner2_best_index_0_1_is_less
-        else slice3winner1_best_above_0_3;
-      slice3winner2_best_above_0_2 <= slice3winner2_best_above_0_2_choice when slice3winner2_best_index_0_2_is_less
-        else slice3winner1_best_above_0_5;
-      slice3winner2_best_above_0_3 <= slice3winner2_best_above_0_3_choice when slice3winner2_best_index_0_3_is_less
-        else slice3winner1_best_above_0_7;
+      slice3winner2_best_second_0_0_choice := 16383 when slice3winner2_best_place_0_0 else
+        slice3winner1_best_late_cost_0_1;
+      slice3winner2_best_second_0_0_choice_2 := slice3winner1_best_but_first_0_1 when slice3winner2_best_at_end_0_0
+        else slice3winner2_best_second_0_0_choice;
+      slice3winner2_best_second_0_0_choice_3 := slice3winner1_best_late_cost_0_0 when slice3winner2_best_place_0_0 else
+        16383;
+      slice3winner2_best_second_0_0_choice_4 := slice3winner1_best_but_last_0_0 when slice3winner2_best_at_start_0_0
+        else slice3winner2_best_second_0_0_choice_3;
+      slice3winner2_best_second_0_1_choice := 16383 when slice3winner2_best_place_0_1 else
+        slice3winner1_best_late_cost_0_3;
+      slice3winner2_best_second_0_1_choice_2 := slice3winner1_best_but_first_0_3 when slice3winner2_best_at_end_0_1
+        else slice3winner2_best_second_0_1_choice;
+      slice3winner2_best_second_0_1_choice_3 := slice3winner1_best_late_cost_0_2 when slice3winner2_best_place_0_1 else
+        16383;
+      slice3winner2_best_second_0_1_choice_4 := slice3winner1_best_but_last_0_2 when slice3winner2_best_at_start_0_1
+        else slice3winner2_best_second_0_1_choice_3;
+      slice3winner2_best_second_0_2_choice := 16383 when slice3winner2_best_place_0_2 else
+        slice3winner1_best_late_cost_0_5;
+      slice3winner2_best_second_0_2_choice_2 := slice3winner1_best_but_first_0_5 when slice3winner2_best_at_end_0_2
+        else slice3winner2_best_second_0_2_choice;
+      slice3winner2_best_second_0_2_choice_3 := slice3winner1_best_late_cost_0_4 when slice3winner2_best_place_0_2 else
+        16383;
+      slice3winner2_best_second_0_2_choice_4 := slice3winner1_best_but_last_0_4 when slice3winner2_best_at_start_0_2
+        else slice3winner2_best_second_0_2_choice_3;
+      slice3winner2_best_second_0_3_choice := 16383 when slice3winner2_best_place_0_3 else
+        slice3winner1_best_late_cost_0_7;
+      slice3winner2_best_second_0_3_choice_2 := slice3winner1_best_but_first_0_7 when slice3winner2_best_at_end_0_3
+        else slice3winner2_best_second_0_3_choice;
+      slice3winner2_best_second_0_3_choice_3 := slice3winner1_best_late_cost_0_6 when slice3winner2_best_place_0_3 else
+        16383;
+      slice3winner2_best_second_0_3_choice_4 := slice3winner1_best_but_last_0_6 when slice3winner2_best_at_start_0_3
+        else slice3winner2_best_second_0_3_choice_3;
+      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when (slice3winner1_best_cost_0_1 -
+        slice3winner1_best_cost_0_0) < 0 else slice3winner1_best_cost_0_0;
+      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when (slice3winner1_best_cost_0_3 -
+        slice3winner1_best_cost_0_2) < 0 else slice3winner1_best_cost_0_2;
+      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when (slice3winner1_best_cost_0_5 -
+        slice3winner1_best_cost_0_4) < 0 else slice3winner1_best_cost_0_4;
+      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when (slice3winner1_best_cost_0_7 -
+        slice3winner1_best_cost_0_6) < 0 else slice3winner1_best_cost_0_6;
+      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_index_0_0_is_not_less else
+        as_number(other_9);
+      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_index_0_1_is_not_less else
+        slice3winner1_best_index_0_2;
+      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_index_0_2_is_not_less else
+        slice3winner1_best_index_0_4;
+      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_index_0_3_is_not_less else
+        slice3winner1_best_index_0_6;
+      slice3winner2_best_below_0_0 <= slice3winner2_best_below_0_0_choice when slice3winner2_best_index_0_0_is_not_less
+        else slice3winner1_best_below_0_0;
+      slice3winner2_best_below_0_1 <= slice3winner2_best_below_0_1_choice when slice3winner2_best_index_0_1_is_not_less
+        else slice3winner1_best_below_0_2;
+      slice3winner2_best_below_0_2 <= slice3winner2_best_below_0_2_choice when slice3winner2_best_index_0_2_is_not_less
+        else slice3winner1_best_below_0_4;
+      slice3winner2_best_below_0_3 <= slice3winner2_best_below_0_3_choice when slice3winner2_best_index_0_3_is_not_less
+        else slice3winner1_best_below_0_6;
+      slice3winner2_best_above_0_0 <= slice3winner1_best_above_0_1 when slice3winner2_best_index_0_0_is_not_less else
+        slice3winner2_best_above_0_0_choice;
+      slice3winner2_best_above_0_1 <= slice3winner1_best_above_0_3 when slice3winner2_best_index_0_1_is_not_less else
+        slice3winner2_best_above_0_1_choice;
+      slice3winner2_best_above_0_2 <= slice3winner1_best_above_0_5 when slice3winner2_best_index_0_2_is_not_less else
+        slice3winner2_best_above_0_2_choice;
+      slice3winner2_best_above_0_3 <= slice3winner1_best_above_0_7 when slice3winner2_best_index_0_3_is_not_less else
+        slice3winner2_best_above_0_3_choice;
       slice3winner2_best_first_0_0 <= slice3winner1_best_first_0_0;
       slice3winner2_best_first_0_1 <= slice3winner1_best_first_0_2;
       slice3winner2_best_first_0_2 <= slice3winner1_best_first_0_4;
@@ -4761,31 +4843,55 @@ begin
       slice3winner2_best_last_0_0 <= slice3winner1_best_last_0_1;
       slice3winner2_best_last_0_1 <= slice3winner1_best_last_0_3;
       slice3winner2_best_last_0_2 <= slice3winner1_best_last_0_5;
-      slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_3 when
-        slice3winner2_best_second_0_0_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_3 when
-        slice3winner2_best_second_0_1_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_3 when
-        slice3winner2_best_second_0_2_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_3 when
-        slice3winner2_best_second_0_3_choice_3 < slice0winner1_best_second_0_0 else slice0winner1_best_second_0_0;
-      slice3winner2_best_but_first_0_0 <= slice3winner1_best_cost_0_1 when slice3winner1_best_cost_0_1 <
-        slice3winner1_best_last_0_0 else slice3winner1_best_last_0_0;
-      slice3winner2_best_but_first_0_1 <= slice3winner1_best_cost_0_3 when slice3winner1_best_cost_0_3 <
-        slice3winner1_best_last_0_2 else slice3winner1_best_last_0_2;
-      slice3winner2_best_but_first_0_2 <= slice3winner1_best_cost_0_5 when slice3winner1_best_cost_0_5 <
-        slice3winner1_best_last_0_4 else slice3winner1_best_last_0_4;
-      slice3winner2_best_but_first_0_3 <= slice3winner1_best_cost_0_7 when slice3winner1_best_cost_0_7 <
-        slice3winner1_best_last_0_6 else slice3winner1_best_last_0_6;
-      slice3winner2_best_but_last_0_0 <= slice3winner1_best_first_0_1 when slice3winner1_best_first_0_1 <
-        slice3winner1_best_cost_0_0 else slice3winner1_best_cost_0_0;
-      slice3winner2_best_but_last_0_1 <= slice3winner1_best_first_0_3 when slice3winner1_best_first_0_3 <
-        slice3winner1_best_cost_0_2 else slice3winner1_best_cost_0_2;
-      slice3winner2_best_but_last_0_2 <= slice3winner1_best_first_0_5 when slice3winner1_best_first_0_5 <
-        slice3winner1_best_cost_0_4 else slice3winner1_best_cost_0_4;
+      slice3winner2_best_place_0_0 <= slice3winner2_best_index_0_0_is_not_less;
+      slice3winner2_best_place_0_1 <= slice3winner2_best_index_0_1_is_not_less;
+      slice3winner2_best_place_0_2 <= slice3winner2_best_index_0_2_is_not_less;
+      slice3winner2_best_place_0_3 <= slice3winner2_best_index_0_3_is_not_less;
+      slice3winner2_best_at_start_0_0 <= other_10 and slice3winner2_best_index_0_0_is_not_less;
+      slice3winner2_best_at_start_0_1 <= other_11 and slice3winner2_best_index_0_1_is_not_less;
+      slice3winner2_best_at_start_0_2 <= other_13 and slice3winner2_best_index_0_2_is_not_less;
+      slice3winner2_best_at_start_0_3 <= other_14 and slice3winner2_best_index_0_3_is_not_less;
+      slice3winner2_best_at_end_0_0 <= other_9 and ((slice3winner1_best_cost_0_0 - slice3winner1_best_cost_0_1) < 0);
+      slice3winner2_best_at_end_0_1 <= ((slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) < 0) and
+        ((slice3winner1_best_index_0_2 / 4) = 1) and ((slice3winner1_best_index_0_2 mod 2) = 1);
+      slice3winner2_best_at_end_0_2 <= ((slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) < 0) and
+        ((slice3winner1_best_index_0_4 / 8) = 1) and ((slice3winner1_best_index_0_4 mod 2) = 1);
+      slice3winner2_best_at_end_0_3 <= ((slice3winner1_best_cost_0_6 - slice3winner1_best_cost_0_7) < 0) and
+        ((slice3winner1_best_index_0_6 / 8) = 1) and slice3winner2_best_above_0_3_value and
+        ((slice3winner1_best_index_0_6 mod 2) = 1);
+      slice3winner2_best_late_cost_0_0 <= slice3winner2_best_cost_0_0;
+      slice3winner2_best_late_cost_0_1 <= slice3winner2_best_cost_0_1;
+      slice3winner2_best_late_cost_0_2 <= slice3winner2_best_cost_0_2;
+      slice3winner2_best_late_cost_0_3 <= slice3winner2_best_cost_0_3;
+      slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_2 when
+        (slice3winner2_best_second_0_0_choice_2 - slice3winner2_best_second_0_0_choice_4) < 0 else
+        slice3winner2_best_second_0_0_choice_4;
+      slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_2 when
+        (slice3winner2_best_second_0_1_choice_2 - slice3winner2_best_second_0_1_choice_4) < 0 else
+        slice3winner2_best_second_0_1_choice_4;
+      slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_2 when
+        (slice3winner2_best_second_0_2_choice_2 - slice3winner2_best_second_0_2_choice_4) < 0 else
+        slice3winner2_best_second_0_2_choice_4;
+      slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_2 when
+        (slice3winner2_best_second_0_3_choice_2 - slice3winner2_best_second_0_3_choice_4) < 0 else
+        slice3winner2_best_second_0_3_choice_4;
+      slice3winner2_best_but_first_0_0 <= slice3winner1_best_late_cost_0_1 when (slice3winner1_best_late_cost_0_1 -
+        slice3winner1_best_but_first_0_0) < 0 else slice3winner1_best_but_first_0_0;
+      slice3winner2_best_but_first_0_1 <= slice3winner1_best_late_cost_0_3 when (slice3winner1_best_late_cost_0_3 -
+        slice3winner1_best_but_first_0_2) < 0 else slice3winner1_best_but_first_0_2;
+      slice3winner2_best_but_first_0_2 <= slice3winner1_best_late_cost_0_5 when (slice3winner1_best_late_cost_0_5 -
+        slice3winner1_best_but_first_0_4) < 0 else slice3winner1_best_but_first_0_4;
+      slice3winner2_best_but_first_0_3 <= slice3winner1_best_late_cost_0_7 when (slice3winner1_best_late_cost_0_7 -
+        slice3winner1_best_but_first_0_6) < 0 else slice3winner1_best_but_first_0_6;
+      slice3winner2_best_but_last_0_0 <= slice3winner1_best_but_last_0_1 when (slice3winner1_best_but_last_0_1 -
+        slice3winner1_best_late_cost_0_0) < 0 else slice3winner1_best_late_cost_0_0;
+      slice3winner2_best_but_last_0_1 <= slice3winner1_best_but_last_0_3 when (slice3winner1_best_but_last_0_3 -
+        slice3winner1_best_late_cost_0_2) < 0 else slice3winner1_best_late_cost_0_2;
+      slice3winner2_best_but_last_0_2 <= slice3winner1_best_but_last_0_5 when (slice3winner1_best_but_last_0_5 -
+        slice3winner1_best_late_cost_0_4) < 0 else slice3winner1_best_late_cost_0_4;
       -- slice3winner3
-      slice3winner3_best_index_0_0_is_less := slice3winner2_best_cost_0_0 < slice3winner2_best_cost_0_1;
-      slice3winner3_best_index_0_1_is_less := slice3winner2_best_cost_0_2 < slice3winner2_best_cost_0_3;
+      slice3winner3_best_index_0_0_is_not_less := (slice3winner2_best_cost_0_0 - slice3winner2_best_cost_0_1) >= 0;
+      slice3winner3_best_index_0_1_is_not_less := (slice3winner2_best_cost_0_2 - slice3winner2_best_cost_0_3) >= 0;
       slice3winner3_best_below_0_0_is_equal := slice3winner2_best_index_0_1 = 4;
       slice3winner3_best_below_0_0_choice := slice3winner2_best_last_0_0 when slice3winner3_best_below_0_0_is_equal
         else slice3winner2_best_below_0_1;
@@ -4795,73 +4901,87 @@ begin
       slice3winner3_best_above_0_0_is_equal := slice3winner2_best_index_0_0 = 3;
       slice3winner3_best_above_0_0_choice := slice3winner2_best_first_0_1 when slice3winner3_best_above_0_0_is_equal
         else slice3winner2_best_above_0_0;
-      slice3winner3_best_above_0_1_all := ((slice3winner2_best_index_0_2 / 8) = 1) and ((slice3winner2_best_index_0_2
-        mod 4) = 3);
-      slice3winner3_best_above_0_1_choice := slice3winner2_best_first_0_3 when slice3winner3_best_above_0_1_all else
-        slice3winner2_best_above_0_2;
-      slice3winner3_best_second_0_0_choice := slice3winner2_best_but_first_0_1 when
-        slice3winner3_best_above_0_0_is_equal else slice3winner2_best_cost_0_1;
-      slice3winner3_best_second_0_0_choice_2 := slice3winner3_best_second_0_0_choice when
-        slice3winner3_best_second_0_0_choice < slice3winner2_best_second_0_0 else slice3winner2_best_second_0_0;
-      slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_but_last_0_0 when
-        slice3winner3_best_below_0_0_is_equal else slice3winner2_best_cost_0_0;
-      slice3winner3_best_second_0_0_choice_4 := slice3winner3_best_second_0_0_choice_3 when
-        slice3winner3_best_second_0_0_choice_3 < slice3winner2_best_second_0_1 else slice3winner2_best_second_0_1;
-      slice3winner3_best_second_0_1_choice := slice3winner2_best_but_first_0_3 when slice3winner3_best_above_0_1_all
-        else slice3winner2_best_cost_0_3;
-      slice3winner3_best_second_0_1_choice_2 := slice3winner3_best_second_0_1_choice when
-        slice3winner3_best_second_0_1_choice < slice3winner2_best_second_0_2 else slice3winner2_best_second_0_2;
-      slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_but_last_0_2 when
-        slice3winner3_best_below_0_1_is_equal else slice3winner2_best_cost_0_2;
-      slice3winner3_best_second_0_1_choice_4 := slice3winner3_best_second_0_1_choice_3 when
-        slice3winner3_best_second_0_1_choice_3 < slice3winner2_best_second_0_3 else slice3winner2_best_second_0_3;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner2_best_cost_0_1 <
-        slice3winner2_best_cost_0_0 else slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner2_best_cost_0_3 <
-        slice3winner2_best_cost_0_2 else slice3winner2_best_cost_0_2;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0 when slice3winner3_best_index_0_0_is_less else
-        slice3winner2_best_index_0_1;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2 when slice3winner3_best_index_0_1_is_less else
-        slice3winner2_best_index_0_3;
-      slice3winner3_best_below_0_0 <= slice3winner2_best_below_0_0 when slice3winner3_best_index_0_0_is_less else
-        slice3winner3_best_below_0_0_choice;
-      slice3winner3_best_below_0_1 <= slice3winner2_best_below_0_2 when slice3winner3_best_index_0_1_is_less else
-        slice3winner3_best_below_0_1_choice;
-      slice3winner3_best_above_0_0 <= slice3winner3_best_above_0_0_choice when slice3winner3_best_index_0_0_is_less
-        else slice3winner2_best_above_0_1;
-      slice3winner3_best_above_0_1 <= slice3winner3_best_above_0_1_choice when slice3winner3_best_index_0_1_is_less
-        else slice3winner2_best_above_0_3;
+      slice3winner3_best_above_0_1_is_equal := (slice3winner2_best_index_0_2 mod 4) = 3;
+      slice3winner3_best_above_0_1_choice := slice3winner2_best_first_0_3 when ((slice3winner2_best_index_0_2 / 8) = 1)
+        and slice3winner3_best_above_0_1_is_equal else slice3winner2_best_above_0_2;
+      slice3winner3_best_second_0_0_choice := slice3winner2_best_second_0_1 when slice3winner3_best_place_0_0 else
+        slice3winner2_best_late_cost_0_1;
+      slice3winner3_best_second_0_0_choice_2 := slice3winner2_best_but_first_0_1 when slice3winner3_best_at_end_0_0
+        else slice3winner3_best_second_0_0_choice;
+      slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_late_cost_0_0 when slice3winner3_best_place_0_0 else
+        slice3winner2_best_second_0_0;
+      slice3winner3_best_second_0_0_choice_4 := slice3winner2_best_but_last_0_0 when slice3winner3_best_at_start_0_0
+        else slice3winner3_best_second_0_0_choice_3;
+      slice3winner3_best_second_0_1_choice := slice3winner2_best_second_0_3 when slice3winner3_best_place_0_1 else
+        slice3winner2_best_late_cost_0_3;
+      slice3winner3_best_second_0_1_choice_2 := slice3winner2_best_but_first_0_3 when slice3winner3_best_at_end_0_1
+        else slice3winner3_best_second_0_1_choice;
+      slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_late_cost_0_2 when slice3winner3_best_place_0_1 else
+        slice3winner2_best_second_0_2;
+      slice3winner3_best_second_0_1_choice_4 := slice3winner2_best_but_last_0_2 when slice3winner3_best_at_start_0_1
+        else slice3winner3_best_second_0_1_choice_3;
+      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when (slice3winner2_best_cost_0_1 -
+        slice3winner2_best_cost_0_0) < 0 else slice3winner2_best_cost_0_0;
+      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when (slice3winner2_best_cost_0_3 -
+        slice3winner2_best_cost_0_2) < 0 else slice3winner2_best_cost_0_2;
+      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_index_0_0_is_not_less else
+        slice3winner2_best_index_0_0;
+      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_index_0_1_is_not_less else
+        slice3winner2_best_index_0_2;
+      slice3winner3_best_below_0_0 <= slice3winner3_best_below_0_0_choice when slice3winner3_best_index_0_0_is_not_less
+        else slice3winner2_best_below_0_0;
+      slice3winner3_best_below_0_1 <= slice3winner3_best_below_0_1_choice when slice3winner3_best_index_0_1_is_not_less
+        else slice3winner2_best_below_0_2;
+      slice3winner3_best_above_0_0 <= slice3winner2_best_above_0_1 when slice3winner3_best_index_0_0_is_not_less else
+        slice3winner3_best_above_0_0_choice;
+      slice3winner3_best_above_0_1 <= slice3winner2_best_above_0_3 when slice3winner3_best_index_0_1_is_not_less else
+        slice3winner3_best_above_0_1_choice;
       slice3winner3_best_first_0_0 <= slice3winner2_best_first_0_0;
       slice3winner3_best_first_0_1 <= slice3winner2_best_first_0_2;
       slice3winner3_best_last_0_0 <= slice3winner2_best_last_0_1;
-      slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_2 when slice3winner3_best_index_0_0_is_less
-        else slice3winner3_best_second_0_0_choice_4;
-      slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_2 when slice3winner3_best_index_0_1_is_less
-        else slice3winner3_best_second_0_1_choice_4;
-      slice3winner3_best_but_first_0_0 <= slice3winner2_best_cost_0_1 when slice3winner2_best_cost_0_1 <
-        slice3winner2_best_but_first_0_0 else slice3winner2_best_but_first_0_0;
-      slice3winner3_best_but_first_0_1 <= slice3winner2_best_cost_0_3 when slice3winner2_best_cost_0_3 <
-        slice3winner2_best_but_first_0_2 else slice3winner2_best_but_first_0_2;
-      slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0_1 when slice3winner2_best_but_last_0_1 <
-        slice3winner2_best_cost_0_0 else slice3winner2_best_cost_0_0;
+      slice3winner3_best_place_0_0 <= slice3winner3_best_index_0_0_is_not_less;
+      slice3winner3_best_place_0_1 <= slice3winner3_best_index_0_1_is_not_less;
+      slice3winner3_best_at_start_0_0 <= slice3winner3_best_index_0_0_is_not_less and
+        slice3winner3_best_below_0_0_is_equal;
+      slice3winner3_best_at_start_0_1 <= slice3winner3_best_below_0_1_is_equal and
+        slice3winner3_best_index_0_1_is_not_less;
+      slice3winner3_best_at_end_0_0 <= ((slice3winner2_best_cost_0_0 - slice3winner2_best_cost_0_1) < 0) and
+        slice3winner3_best_above_0_0_is_equal;
+      slice3winner3_best_at_end_0_1 <= ((slice3winner2_best_cost_0_2 - slice3winner2_best_cost_0_3) < 0) and
+        ((slice3winner2_best_index_0_2 / 8) = 1) and slice3winner3_best_above_0_1_is_equal;
+      slice3winner3_best_late_cost_0_0 <= slice3winner3_best_cost_0_0;
+      slice3winner3_best_late_cost_0_1 <= slice3winner3_best_cost_0_1;
+      slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_2 when
+        (slice3winner3_best_second_0_0_choice_2 - slice3winner3_best_second_0_0_choice_4) < 0 else
+        slice3winner3_best_second_0_0_choice_4;
+      slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_2 when
+        (slice3winner3_best_second_0_1_choice_2 - slice3winner3_best_second_0_1_choice_4) < 0 else
+        slice3winner3_best_second_0_1_choice_4;
+      slice3winner3_best_but_first_0_0 <= slice3winner2_best_late_cost_0_1 when (slice3winner2_best_late_cost_0_1 -
+        slice3winner2_best_but_first_0_0) < 0 else slice3winner2_best_but_first_0_0;
+      slice3winner3_best_but_first_0_1 <= slice3winner2_best_late_cost_0_3 when (slice3winner2_best_late_cost_0_3 -
+        slice3winner2_best_but_first_0_2) < 0 else slice3winner2_best_but_first_0_2;
+      slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0_1 when (slice3winner2_best_but_last_0_1 -
+        slice3winner2_best_late_cost_0_0) < 0 else slice3winner2_best_late_cost_0_0;
       -- slice3winner4
-      slice3winner4_best_index_0_0_is_less := slice3winner3_best_cost_0_0 < slice3winner3_best_cost_0_1;
+      slice3winner4_best_index_0_0_is_less := (slice3winner3_best_cost_0_0 - slice3winner3_best_cost_0_1) < 0;
       slice3winner4_best_below_0_0_is_equal := slice3winner3_best_index_0_1 = 8;
       slice3winner4_best_below_0_0_choice := slice3winner3_best_last_0_0 when slice3winner4_best_below_0_0_is_equal
         else slice3winner3_best_below_0_1;
       slice3winner4_best_above_0_0_is_equal := slice3winner3_best_index_0_0 = 7;
       slice3winner4_best_above_0_0_choice := slice3winner3_best_first_0_1 when slice3winner4_best_above_0_0_is_equal
         else slice3winner3_best_above_0_0;
-      slice3winner4_best_second_0_0_choice := slice3winner3_best_but_first_0_1 when
-        slice3winner4_best_above_0_0_is_equal else slice3winner3_best_cost_0_1;
-      slice3winner4_best_second_0_0_choice_2 := slice3winner4_best_second_0_0_choice when
-        slice3winner4_best_second_0_0_choice < slice3winner3_best_second_0_0 else slice3winner3_best_second_0_0;
-      slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_but_last_0_0 when
-        slice3winner4_best_below_0_0_is_equal else slice3winner3_best_cost_0_0;
-      slice3winner4_best_second_0_0_choice_4 := slice3winner4_best_second_0_0_choice_3 when
-        slice3winner4_best_second_0_0_choice_3 < slice3winner3_best_second_0_1 else slice3winner3_best_second_0_1;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner3_best_cost_0_1 <
-        slice3winner3_best_cost_0_0 else slice3winner3_best_cost_0_0;
+      slice3winner4_best_place_0_0_is_not_less := (slice3winner3_best_cost_0_0 - slice3winner3_best_cost_0_1) >= 0;
+      slice3winner4_best_second_0_0_choice := slice3winner3_best_second_0_1 when slice3winner4_best_place_0_0 else
+        slice3winner3_best_late_cost_0_1;
+      slice3winner4_best_second_0_0_choice_2 := slice3winner3_best_but_first_0_1 when slice3winner4_best_at_end_0_0
+        else slice3winner4_best_second_0_0_choice;
+      slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_late_cost_0_0 when slice3winner4_best_place_0_0 else
+        slice3winner3_best_second_0_0;
+      slice3winner4_best_second_0_0_choice_4 := slice3winner3_best_but_last_0_0 when slice3winner4_best_at_start_0_0
+        else slice3winner4_best_second_0_0_choice_3;
+      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when (slice3winner3_best_cost_0_1 -
+        slice3winner3_best_cost_0_0) < 0 else slice3winner3_best_cost_0_0;
       slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0 when slice3winner4_best_index_0_0_is_less else
         slice3winner3_best_index_0_1;
       slice3winner4_best_below_0_0 <= slice3winner3_best_below_0_0 when slice3winner4_best_index_0_0_is_less else
@@ -4869,43 +4989,57 @@ begin
       slice3winner4_best_above_0_0 <= slice3winner4_best_above_0_0_choice when slice3winner4_best_index_0_0_is_less
         else slice3winner3_best_above_0_1;
       slice3winner4_best_first_0_0 <= slice3winner3_best_first_0_0;
-      slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_2 when slice3winner4_best_index_0_0_is_less
-        else slice3winner4_best_second_0_0_choice_4;
-      slice3winner4_best_but_first_0_0 <= slice3winner3_best_cost_0_1 when slice3winner3_best_cost_0_1 <
-        slice3winner3_best_but_first_0_0 else slice3winner3_best_but_first_0_0;
+      slice3winner4_best_place_0_0 <= slice3winner4_best_place_0_0_is_not_less;
+      slice3winner4_best_at_start_0_0 <= slice3winner4_best_below_0_0_is_equal and
+        slice3winner4_best_place_0_0_is_not_less;
+      slice3winner4_best_at_end_0_0 <= slice3winner4_best_index_0_0_is_less and slice3winner4_best_above_0_0_is_equal;
+      slice3winner4_best_late_cost_0_0 <= slice3winner4_best_cost_0_0;
+      slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_2 when
+        (slice3winner4_best_second_0_0_choice_2 - slice3winner4_best_second_0_0_choice_4) < 0 else
+        slice3winner4_best_second_0_0_choice_4;
+      slice3winner4_best_but_first_0_0 <= slice3winner3_best_late_cost_0_1 when (slice3winner3_best_late_cost_0_1 -
+        slice3winner3_best_but_first_0_0) < 0 else slice3winner3_best_but_first_0_0;
       -- slice3
-      slice3_best_index_0_0_is_less := slice2_best_cost_0_0 < slice3winner4_best_cost_0_0;
+      slice3_best_index_0_0_is_less := (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0;
       slice3_best_below_0_0_is_equal := slice3winner4_best_index_0_0 = 0;
       slice3_best_below_0_0_choice := slice2_best_last_0_0 when slice3_best_below_0_0_is_equal else
         slice3winner4_best_below_0_0;
       slice3_best_above_0_0_is_equal := slice2_best_index_0_0 = 47;
       slice3_best_above_0_0_choice := slice3winner4_best_first_0_0 when slice3_best_above_0_0_is_equal else
         slice2_best_above_0_0;
-      slice3_best_second_0_0_choice := slice3winner4_best_but_first_0_0 when slice3_best_above_0_0_is_equal else
-        slice3winner4_best_cost_0_0;
-      slice3_best_second_0_0_choice_2 := slice3_best_second_0_0_choice when slice3_best_second_0_0_choice <
-        slice2_best_second_0_0 else slice2_best_second_0_0;
-      slice3_best_second_0_0_choice_3 := slice2_best_but_last_0_0 when slice3_best_below_0_0_is_equal else
-        slice2_best_cost_0_0;
-      slice3_best_second_0_0_choice_4 := slice3_best_second_0_0_choice_3 when slice3_best_second_0_0_choice_3 <
-        slice3winner4_best_second_0_0 else slice3winner4_best_second_0_0;
-      slice3_best_cost_0_0 <= slice3winner4_best_cost_0_0 when slice3winner4_best_cost_0_0 < slice2_best_cost_0_0 else
-        slice2_best_cost_0_0;
+      slice3_best_place_0_0_is_not_less := (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) >= 0;
+      slice3_best_second_0_0_choice := slice3winner4_best_second_0_0 when slice3_best_place_0_0 else
+        slice3winner4_best_late_cost_0_0;
+      slice3_best_second_0_0_choice_2 := slice3winner4_best_but_first_0_0 when slice3_best_at_end_0_0 else
+        slice3_best_second_0_0_choice;
+      slice3_best_second_0_0_choice_3 := slice2_best_late_cost_0_0 when slice3_best_place_0_0 else
+        slice2_best_second_0_0;
+      slice3_best_second_0_0_choice_4 := slice3_best_second_0_0_choice_3 when slice3_best_at_end_0_0 and (not
+        slice3_best_at_start_0_0) else slice2_best_but_last_0_0;
+      slice3_best_second_0_0_choice_5 := slice3_best_second_0_0_choice_3 when (not slice3_best_at_end_0_0) and (not
+        slice3_best_at_start_0_0) else slice2_best_but_last_0_0;
+      slice3_best_second_0_0_choice_6 := slice3_best_second_0_0_choice_4 when slice3_best_at_end_0_0 else
+        slice3_best_second_0_0_choice_5;
+      slice3_best_cost_0_0 <= slice3winner4_best_cost_0_0 when (slice3winner4_best_cost_0_0 - slice2_best_cost_0_0) < 0
+        else slice2_best_cost_0_0;
       slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_index_0_0_is_less else
         slice3winner4_best_index_0_0 + 48;
       slice3_best_below_0_0 <= slice2_best_below_0_0 when slice3_best_index_0_0_is_less else
         slice3_best_below_0_0_choice;
       slice3_best_above_0_0 <= slice3_best_above_0_0_choice when slice3_best_index_0_0_is_less else
         slice3winner4_best_above_0_0;
-      slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2 when slice3_best_index_0_0_is_less else
-        slice3_best_second_0_0_choice_4;
-      slice3_best_tag_valid <= slice2_best_tag_valid;
-      slice3_best_tag_output_column <= slice2_best_tag_output_column;
-      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
-      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      slice3_best_place_0_0 <= slice3_best_place_0_0_is_not_less;
+      slice3_best_at_start_0_0 <= slice3_best_below_0_0_is_equal and slice3_best_place_0_0_is_not_less;
+      slice3_best_at_end_0_0 <= slice3_best_index_0_0_is_less and slice3_best_above_0_0_is_equal;
+      slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2 when (slice3_best_second_0_0_choice_2 -
+        slice3_best_second_0_0_choice_6) < 0 else slice3_best_second_0_0_choice_6;
+      slice3_best_tag_valid <= other_92;
+      slice3_best_tag_output_column <= other_91;
+      slice3_best_tag_start_of_frame <= other_90;
+      slice3_best_tag_end_of_line <= other_89;
       -- texture
       texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
+      texture_taps_search_1_0 <= 31 when other_4 else 0;
       texture_passes_0_0 <= 9 < texturewindow_sum_0_0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
@@ -4918,8 +5052,8 @@ begin
       texturecost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else texturecost_ready_words_0;
       texturecost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (texturecost_column_0_0_choice
         + texturecost_change_0_0) mod 1024;
-      texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
-      texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
+      texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - other_116;
+      texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - other_115;
       texturecost_pixels_cost_0_0 <= folded(texturecost_pixels_first_0_0) + as_number((texturecost_pixels_first_0_0 <
         0));
       texturecost_pixels_cost_1_0 <= folded(texturecost_pixels_first_1_0) + as_number((texturecost_pixels_first_1_0 <
@@ -4943,31 +5077,15 @@ begin
         texturewindow_sum_0_0 <= (texturewindow_sum_0_0_choice + texturewindow_change_0_0) mod 16384;
       end if;
       -- refinement
-      refinement_remainder_0_0_choice := slice3_best_above_0_0 when slice3_best_index_0_0 = 0 else
-        slice3_best_below_0_0;
-      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice3_best_cost_0_0) mod 16384;
-      refinement_remainder_0_0_choice_2 := slice3_best_below_0_0 when slice3_best_index_0_0 = 63 else
-        slice3_best_above_0_0;
-      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice3_best_cost_0_0) mod 16384;
-      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
-      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value;
-      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value_2;
-      refinement_remainder_1_0_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
-      refinement_remainder_1_0_choice := refinement_divisor_0_0 when refinement_remainder_1_0_is_not_less else 0;
-      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
-      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
-      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
-      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
-      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
-      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
-      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
-      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
-      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
-      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
-      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
-      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 32768) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 32768) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 32768) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 32768) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 32768) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 32768) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 32768) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -4990,17 +5108,21 @@ begin
       refinement_disparity_7_0 <= refinement_disparity_6_0;
       refinement_disparity_8_0 <= refinement_disparity_7_0;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
       refinement_passed_0_0 <= texture_passes_7_0;
       refinement_passed_1_0 <= refinement_passed_0_0;
-      refinement_passed_2_0 <= refinement_passed_1_0 when raster_features_start_of_frame else refinement_passed_1_0 and
-        (refinement_scaled_cost_0 < refinement_scaled_gap_0);
-      refinement_passed_3_0 <= refinement_passed_2_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
+        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
       refinement_passed_7_0 <= refinement_passed_6_0;
       refinement_passed_8_0 <= refinement_passed_7_0;
       refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
       refinement_tag_0_valid <= slice3_best_tag_valid;
       refinement_tag_0_output_column <= slice3_best_tag_output_column;
       refinement_tag_0_start_of_frame <= slice3_best_tag_start_of_frame;
@@ -5041,20 +5163,43 @@ begin
       refinement_tag_9_output_column <= refinement_tag_8_output_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_alone_0_0 <= slice3_best_second_0_0 = 16383;
+      refinement_alone_1_0 <= refinement_alone_0_0;
+      refinement_gap_0 <= (slice3_best_second_0_0 - refinement_cost_0) mod 16384;
+      refinement_lowest_0 <= refinement_cost_0;
+      refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 4;
+      refinement_scaled_cost_0 <= ((refinement_lowest_0 + (refinement_lowest_0 / 2)) * 2) + (refinement_lowest_0 mod 2);
       refinement_cost_0 <= slice3_best_cost_0_0;
-      refinement_gap_0 <= (slice3_best_second_0_0 - slice3_best_cost_0_0) mod 16384;
-      refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
-      refinement_scaled_cost_0 <= refinement_cost_0 * 15;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 16384;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 16384;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 8192) * 2) - refinement_remainder_2_0_choice) mod
-        16384;
-      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 16384;
-      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 16384;
-      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 16384;
-      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 16384;
-      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 16384;
-      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
+      refinement_below_0 <= slice3_best_above_0_0 when slice3_best_index_0_0 = 0 else slice3_best_below_0_0;
+      refinement_above_0 <= slice3_best_below_0_0 when slice3_best_index_0_0 = 63 else slice3_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 16384;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 16384;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 16384 when
+        (refinement_remainder_1_0_difference / 32768) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 16384 when
+        (refinement_remainder_2_0_difference / 32768) = 1 else (refinement_remainder_1_0 mod 8192) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 16384 when
+        (refinement_remainder_3_0_difference / 32768) = 1 else (refinement_remainder_2_0 mod 8192) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 16384 when
+        (refinement_remainder_4_0_difference / 32768) = 1 else (refinement_remainder_3_0 mod 8192) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 16384 when
+        (refinement_remainder_5_0_difference / 32768) = 1 else (refinement_remainder_4_0 mod 8192) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 16384 when
+        (refinement_remainder_6_0_difference / 32768) = 1 else (refinement_remainder_5_0 mod 8192) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 16384 when
+        (refinement_remainder_7_0_difference / 32768) = 1 else (refinement_remainder_6_0 mod 8192) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 14)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 14))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -5062,17 +5207,9 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_1_0 <= refinement_remainder_1_0_is_not_less;
-      refinement_quotient_2_0 <= (as_number(refinement_quotient_1_0) * 2) +
-        as_number(refinement_remainder_2_0_is_not_less);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
-        refinement_divisor_7_0));
-      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
+      refinement_quotient_8_0 <= ((((32768 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 16384) +
+        ((other_102 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
       refinement_negative_3_0 <= refinement_negative_2_0;
@@ -5083,30 +5220,152 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       -- map
-      map_out_disparity_0 <= (((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) +
+      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
-      map_out_passed_0 <= refinement_passed_9_0;
-      map_out_valid <= refinement_tag_9_valid and refinement_tag_9_output_column;
-      map_out_start_of_frame <= refinement_tag_9_start_of_frame and refinement_tag_9_valid and
-        refinement_tag_9_output_column;
-      map_out_end_of_line <= refinement_tag_9_end_of_line and refinement_tag_9_valid and refinement_tag_9_output_column;
+      map_out_passed_0 <= refinement_passed_11_0;
+      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
+      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
       -- other
-      other_0 <= slice3winner1_best_index_0_3_is_less;
-      other_1 <= slice3winner1_best_index_0_5_is_less;
-      other_2 <= slice3winner1_best_index_0_7_is_less;
-      other_3 <= slice2winner1_best_index_0_1_is_less;
-      other_4 <= slice2winner1_best_index_0_3_is_less;
-      other_5 <= slice2winner1_best_index_0_5_is_less;
-      other_6 <= slice2winner1_best_index_0_7_is_less;
-      other_7 <= slice1winner1_best_index_0_1_is_less;
-      other_8 <= slice1winner1_best_index_0_3_is_less;
-      other_9 <= slice1winner1_best_index_0_5_is_less;
-      other_10 <= slice1winner1_best_index_0_7_is_less;
-      other_11 <= slice0winner1_best_index_0_1_is_less;
-      other_12 <= slice0winner1_best_index_0_3_is_less;
-      other_13 <= slice0winner1_best_index_0_5_is_less;
-      other_14 <= slice0winner1_best_index_0_7_is_less;
-      other_15 <= slice3winner1_best_index_0_1_is_less;
+      other_0 <= other_1;
+      other_1 <= other_3;
+      other_2 <= other_100;
+      other_4 <= rows_ready_inside_1;
+      other_5 <= other_101;
+      other_6 <= other_5;
+      other_7 <= other_8;
+      other_8 <= other_2;
+      other_9 <= slice3winner1_best_below_0_0_is_not_less;
+      other_10 <= slice3winner1_best_index_0_1_is_less;
+      other_11 <= slice3winner1_best_index_0_3_is_less;
+      other_12 <= slice1winner1_best_below_0_0_is_not_less;
+      other_13 <= slice3winner1_best_index_0_5_is_less;
+      other_14 <= slice3winner1_best_index_0_7_is_less;
+      other_15 <= other_16;
+      other_16 <= other_17;
+      other_18 <= slice2winner1_best_below_0_0_is_not_less;
+      other_19 <= slice2winner1_best_index_0_1_is_less;
+      other_20 <= slice2winner1_best_index_0_3_is_less;
+      other_21 <= slice2winner1_best_index_0_5_is_less;
+      other_22 <= slice2winner1_best_index_0_7_is_less;
+      other_23 <= slice1winner1_best_index_0_1_is_less;
+      other_24 <= slice0window_sum_0_1;
+      other_25 <= slice0winner1_best_below_0_0_is_not_less;
+      other_26 <= slice1winner1_best_index_0_3_is_less;
+      other_27 <= slice1winner1_best_index_0_5_is_less;
+      other_28 <= slice1winner1_best_index_0_7_is_less;
+      other_29 <= slice0winner1_best_index_0_1_is_less;
+      other_30 <= slice0winner1_best_index_0_3_is_less;
+      other_31 <= other_32;
+      other_32 <= raster_place_group < 375;
+      other_33 <= slice0winner1_best_index_0_5_is_less;
+      other_34 <= slice0winner1_best_index_0_7_is_less;
+      other_35 <= other_36;
+      other_36 <= other_65;
+      other_37 <= other_38;
+      other_38 <= other_66;
+      other_39 <= other_40;
+      other_40 <= other_67;
+      other_41 <= other_42;
+      other_42 <= other_68;
+      other_43 <= other_69;
+      other_44 <= other_70;
+      other_45 <= other_46;
+      other_46 <= other_63;
+      other_47 <= other_35;
+      other_48 <= other_37;
+      other_49 <= other_39;
+      other_50 <= other_41;
+      other_51 <= other_45;
+      other_52 <= other_47;
+      other_53 <= other_48;
+      other_54 <= other_50;
+      other_55 <= other_51;
+      other_56 <= other_52;
+      other_57 <= other_53;
+      other_58 <= other_55;
+      other_59 <= other_56;
+      other_60 <= other_57;
+      other_61 <= slice3window_change_tag_valid;
+      other_62 <= other_61;
+      other_63 <= other_64;
+      other_64 <= other_93;
+      other_65 <= other_94;
+      other_66 <= other_95;
+      other_67 <= other_96;
+      other_68 <= other_97;
+      other_69 <= other_98;
+      other_70 <= other_99;
+      other_71 <= other_58;
+      other_72 <= other_59;
+      other_73 <= other_60;
+      other_74 <= other_62;
+      other_75 <= other_72;
+      other_76 <= slice3window_centre_end_of_line_6;
+      other_77 <= slice3window_centre_start_of_frame_6;
+      other_78 <= slice3window_centre_output_column_6;
+      other_79 <= other_76;
+      other_80 <= other_77;
+      other_81 <= other_78;
+      other_82 <= other_79;
+      other_83 <= other_80;
+      other_84 <= other_81;
+      other_85 <= other_82;
+      other_86 <= other_83;
+      other_87 <= other_84;
+      other_88 <= other_74;
+      other_89 <= other_85;
+      other_90 <= other_86;
+      other_91 <= other_87;
+      other_92 <= other_88;
+      other_93 <= rows_tag_end_of_line;
+      other_94 <= rows_tag_start_of_frame;
+      other_95 <= rows_tag_output_column;
+      other_96 <= rows_tag_leaves_window;
+      other_97 <= rows_tag_first_cost;
+      other_98 <= rows_tag_border_column;
+      other_99 <= rows_tag_first_group;
+      other_100 <= rows_tag_row_start;
+      other_101 <= rows_tag_valid;
+      other_102 <= ((refinement_remainder_7_0_difference / 32768) * 2) + ((other_103 / 4) * 4);
+      other_103 <= ((refinement_remainder_6_0_difference / 32768) * 4) + ((other_104 / 8) * 8);
+      other_104 <= ((refinement_remainder_5_0_difference / 32768) * 8) + ((other_105 / 16) * 16);
+      other_105 <= ((refinement_remainder_4_0_difference / 32768) * 16) + ((other_106 / 32) * 32);
+      other_106 <= ((refinement_remainder_3_0_difference / 32768) * 32) + ((other_107 / 64) * 64);
+      other_107 <= ((refinement_remainder_2_0_difference / 32768) * 64) + ((other_108 / 128) * 128);
+      other_108 <= (refinement_remainder_1_0_difference / 32768) * 128;
+      other_112 <= other_113;
+      other_113 <= other_114;
+      other_115 <= rows_reference_1;
+      other_116 <= rows_reference_0;
+      other_117 <= slice3window_sum_0_14;
+      other_120 <= other_121;
+      if other_6 then
+        other_3 <= 0 when other_8 else (other_3 + 1) mod 512;
+      end if;
+      if other_5 then
+        other_17 <= 0 when other_2 else (other_17 + 1) mod 512;
+      end if;
+      if slice1cost_ready_tag_valid then
+        other_109 <= other_110;
+        other_110 <= 0 when other_110 = 15 else (other_110 + 1) mod 16;
+        other_122 <= other_15;
+      end if;
+      if slice0cost_ready_tag_valid then
+        other_111 <= other_112;
+        other_121 <= 0 when other_7 else (other_121 + 1) mod 512;
+      end if;
+      if other_101 then
+        other_114 <= 0 when other_100 else (other_114 + 1) mod 512;
+      end if;
+      if slice3window_change_tag_valid then
+        other_118 <= slice3window_centre_start_of_frame_2;
+      end if;
+      if slice2cost_ready_tag_valid then
+        other_119 <= other_0;
+      end if;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -5121,10 +5380,12 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 382;
@@ -5152,115 +5413,43 @@ begin
         rows_tag_output_column <= false;
         rows_tag_start_of_frame <= false;
         rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_row_start <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
-        slice0cost_read_column <= 0;
-        slice0cost_change_column <= 0;
-        slice0cost_ready_column <= 0;
         slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_row_start <= false;
-        slice0cost_ready_tag_output_column <= false;
-        slice0cost_ready_tag_start_of_frame <= false;
-        slice0cost_ready_tag_end_of_line <= false;
-        slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
-        slice0window_ring_read_address <= 1;
-        slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_output_column <= false;
-        slice0window_entering_tag_start_of_frame <= false;
-        slice0window_entering_tag_end_of_line <= false;
         slice0window_change_tag_valid <= false;
-        slice0window_change_tag_output_column <= false;
-        slice0window_change_tag_start_of_frame <= false;
-        slice0window_change_tag_end_of_line <= false;
-        slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
-        slice0window_centre_start_of_frame_2 <= false;
-        slice0window_centre_start_of_frame_3 <= false;
-        slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
-        slice1cost_read_column <= 0;
-        slice1cost_change_column <= 0;
-        slice1cost_ready_column <= 0;
-        slice1cost_write_column <= 0;
+        slice1cost_ready_tag_valid <= false;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
-        slice1window_centre_output_column_0 <= false;
-        slice1window_centre_start_of_frame_3 <= false;
-        slice1window_centre_start_of_frame_5 <= false;
-        slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
-        slice2cost_read_column <= 0;
-        slice2cost_change_column <= 0;
-        slice2cost_ready_column <= 0;
-        slice2cost_write_column <= 0;
+        slice1window_change_tag_valid <= false;
+        slice2cost_ready_tag_valid <= false;
         slice2window_ring_read_address <= 1;
         slice2window_ring_write_address <= 0;
-        slice2window_centre_output_column_0 <= false;
-        slice2window_centre_start_of_frame_3 <= false;
-        slice2window_centre_end_of_line_0 <= false;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_output_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
-        slice3cost_read_column <= 0;
-        slice3cost_change_column <= 0;
+        slice2window_change_tag_valid <= false;
         slice3cost_ready_column <= 0;
         slice3cost_write_column <= 0;
         slice3window_ring_read_address <= 1;
         slice3window_ring_write_address <= 0;
+        slice3window_change_tag_valid <= false;
+        slice3window_change_tag_output_column <= false;
+        slice3window_change_tag_end_of_line <= false;
         slice3window_centre_output_column_0 <= false;
         slice3window_centre_output_column_1 <= false;
         slice3window_centre_output_column_2 <= false;
         slice3window_centre_output_column_3 <= false;
         slice3window_centre_output_column_4 <= false;
         slice3window_centre_output_column_5 <= false;
-        slice3window_centre_start_of_frame_3 <= false;
+        slice3window_centre_output_column_6 <= false;
+        slice3window_centre_start_of_frame_0 <= false;
+        slice3window_centre_start_of_frame_1 <= false;
+        slice3window_centre_start_of_frame_2 <= false;
+        slice3window_centre_start_of_frame_4 <= false;
         slice3window_centre_start_of_frame_5 <= false;
+        slice3window_centre_start_of_frame_6 <= false;
         slice3window_centre_end_of_line_0 <= false;
         slice3window_centre_end_of_line_1 <= false;
         slice3window_centre_end_of_line_2 <= false;
         slice3window_centre_end_of_line_3 <= false;
         slice3window_centre_end_of_line_4 <= false;
         slice3window_centre_end_of_line_5 <= false;
+        slice3window_centre_end_of_line_6 <= false;
         slice3_best_tag_valid <= false;
         slice3_best_tag_output_column <= false;
         slice3_best_tag_start_of_frame <= false;
@@ -5305,9 +5494,89 @@ begin
         refinement_tag_9_output_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
+        other_0 <= 0;
+        other_1 <= 0;
+        other_2 <= false;
+        other_3 <= 0;
+        other_5 <= false;
+        other_6 <= false;
+        other_7 <= false;
+        other_8 <= false;
+        other_15 <= 0;
+        other_16 <= 0;
+        other_17 <= 0;
+        other_35 <= false;
+        other_36 <= false;
+        other_37 <= false;
+        other_38 <= false;
+        other_45 <= false;
+        other_46 <= false;
+        other_47 <= false;
+        other_48 <= false;
+        other_51 <= false;
+        other_52 <= false;
+        other_53 <= false;
+        other_55 <= false;
+        other_56 <= false;
+        other_57 <= false;
+        other_58 <= false;
+        other_59 <= false;
+        other_60 <= false;
+        other_61 <= false;
+        other_62 <= false;
+        other_63 <= false;
+        other_64 <= false;
+        other_65 <= false;
+        other_66 <= false;
+        other_71 <= false;
+        other_72 <= false;
+        other_73 <= false;
+        other_74 <= false;
+        other_75 <= false;
+        other_76 <= false;
+        other_77 <= false;
+        other_78 <= false;
+        other_79 <= false;
+        other_80 <= false;
+        other_81 <= false;
+        other_82 <= false;
+        other_83 <= false;
+        other_84 <= false;
+        other_85 <= false;
+        other_86 <= false;
+        other_87 <= false;
+        other_88 <= false;
+        other_89 <= false;
+        other_90 <= false;
+        other_91 <= false;
+        other_92 <= false;
+        other_93 <= false;
+        other_94 <= false;
+        other_95 <= false;
+        other_100 <= false;
+        other_101 <= false;
+        other_109 <= 0;
+        other_110 <= 1;
+        other_111 <= 0;
+        other_112 <= 0;
+        other_113 <= 0;
+        other_114 <= 0;
+        other_118 <= false;
+        other_119 <= 0;
+        other_120 <= 0;
+        other_121 <= 0;
+        other_122 <= 0;
       end if;
     end if;
   end process;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 386,
-      latency_clocks => 38,
+      latency_clocks => 41,
       flush_groups => 3608,
       gap_groups => 3150,
-      core_id => x"b0b29f9e",
+      core_id => x"6486f93e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 386,
-      latency_clocks => 38,
+      latency_clocks => 41,
       flush_groups => 3608,
       gap_groups => 3150)
     port map (
