@@ -51,11 +51,11 @@ struct WinnerTree {
          for (int group = 0; group < kWinners; ++group) {
             const int start = group * kGroup;
             if constexpr (kHasSecond) {
-               const int end = start + kGroup < N ? start + kGroup : N;
                Others losers;
                HLS_UNROLL
-               for (int i = start; i < end; ++i)
-                  losers.add_single(held[p][i], i - start, end - start, best.place[p][group]);
+               for (int i = start; i < start + kGroup && i < N; ++i)
+                  losers.add_single(held[p][i], i - start, start + kGroup < N ? kGroup : N - start,
+                                    best.place[p][group]);
                best.set_losers(p, group, losers);
             }
             Candidate winner = Candidate::single(cost[p][start], uint8_t(start));
