@@ -100,7 +100,7 @@ architecture rtl of stereo_core_tiny is
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 31;
-  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
   signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
@@ -110,12 +110,12 @@ architecture rtl of stereo_core_tiny is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_border_column : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_tag_valid : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
+  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
   signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
@@ -128,27 +128,39 @@ architecture rtl of stereo_core_tiny is
   signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
-  signal slice0cost_negative_0_0, slice0cost_negative_0_1, slice0cost_negative_0_2 : boolean;
-  signal slice0cost_pair_tag_border_column : boolean;
   signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   -- slice0window
   signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
   signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice0window_centre_output_column, slice0window_centre_start_of_frame : boolean;
-  signal slice0window_centre_end_of_line : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
   -- slice0winner1
   signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
   signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 2301;
-  signal slice0winner1_pair_index_0_0 : boolean;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
   signal slice0winner1_best_index_0_0 : natural range 0 to 2;
   signal slice0winner1_best_cost_0_0 : natural range 0 to 4095;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0 : natural range 0 to 7;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
   signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
@@ -161,14 +173,12 @@ architecture rtl of stereo_core_tiny is
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
-  signal slice1cost_pair_tag_border_column : boolean;
+  signal slice1cost_tag_border_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   -- slice1window
   signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
   signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice1window_centre_output_column, slice1window_centre_start_of_frame : boolean;
-  signal slice1window_centre_end_of_line : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
   -- slice1winner1
   signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
@@ -179,6 +189,8 @@ architecture rtl of stereo_core_tiny is
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0 : natural range 0 to 7;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
   signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
   signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
@@ -187,14 +199,12 @@ architecture rtl of stereo_core_tiny is
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_pair_tag_border_column : boolean;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
   signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 767;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 767;
   signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 1534;
-  signal slice2window_centre_output_column, slice2window_centre_start_of_frame : boolean;
-  signal slice2window_centre_end_of_line : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 2301;
   -- slice2winner1
   signal slice2winner1_best_cost_0_0 : natural range 0 to 2301;
@@ -209,11 +219,6 @@ architecture rtl of stereo_core_tiny is
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
-  -- other
-  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : boolean;
-  signal other_11, other_12, other_13, other_14, other_15, other_16, other_17, other_18, other_19, other_20 : boolean;
-  signal other_21, other_22, other_23, other_24, other_25, other_26, other_27, other_28, other_29, other_30 : boolean;
-  signal other_31, other_32 : boolean;
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
@@ -303,6 +308,7 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
       delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+      delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
@@ -320,6 +326,7 @@ begin
       rows_read_column <= delay_column;
       rows_read_inside_0 <= delay_row_inside_0;
       rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_inside_2 <= delay_row_inside_2;
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
@@ -328,7 +335,7 @@ begin
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_2 <= other_8;
+      rows_ready_inside_2 <= rows_read_inside_2;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
@@ -385,6 +392,11 @@ begin
       slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
       slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
       slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
       slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
       slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
@@ -397,15 +409,24 @@ begin
       slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
       slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
       slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
-      slice0cost_pair_tag_border_column <= other_1;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
         slice0cost_pair_0_0 + slice0cost_single_0_0;
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
         slice0cost_pair_0_1 + slice0cost_single_0_1;
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
         slice0cost_pair_0_2 + slice0cost_single_0_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
-      if other_6 then
+      if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
         slice0window_partial_0_0_1 <= slice0cost_column_0_1;
         slice0window_partial_0_0_2 <= slice0cost_column_0_2;
@@ -413,12 +434,16 @@ begin
         slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
         slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
       end if;
-      slice0window_centre_output_column <= other_5;
-      slice0window_centre_start_of_frame <= other_4;
-      slice0window_centre_end_of_line <= other_3;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
       slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
@@ -428,17 +453,35 @@ begin
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
       slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
       slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
       slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
       slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
         as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
       slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
         (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
       slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -479,15 +522,15 @@ begin
       slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
       slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
       slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
-      slice1cost_pair_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice1cost_column_0_0 <= 0 when slice1cost_pair_tag_border_column else as_number(slice1cost_negative_0_0) +
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
         slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice1cost_pair_tag_border_column else as_number(slice1cost_negative_0_1) +
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
         slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice1cost_pair_tag_border_column else as_number(slice1cost_negative_0_2) +
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
         slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
-      if other_7 then
+      if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
         slice1window_partial_0_0_1 <= slice1cost_column_0_1;
         slice1window_partial_0_0_2 <= slice1cost_column_0_2;
@@ -495,9 +538,6 @@ begin
         slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
         slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
       end if;
-      slice1window_centre_output_column <= slice0window_centre_output_column;
-      slice1window_centre_start_of_frame <= slice0window_centre_start_of_frame;
-      slice1window_centre_end_of_line <= slice0window_centre_end_of_line;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
@@ -522,8 +562,12 @@ begin
       slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
         (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       -- slice2shift
-      if other_0 then
+      if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
         slice2shift_search_0_1 <= slice1shift_search_out_0;
         slice2shift_search_1_0 <= slice2shift_search_1_1;
@@ -549,20 +593,16 @@ begin
       slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
       slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
-      slice2cost_pair_tag_border_column <= slice1cost_pair_tag_border_column;
-      slice2cost_column_0_0 <= 0 when slice2cost_pair_tag_border_column else as_number(slice2cost_negative_0_0) +
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
         slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice2cost_pair_tag_border_column else as_number(slice2cost_negative_0_1) +
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
         slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
-      if other_10 then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
         slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
-        slice2window_centre_output_column <= slice1window_centre_output_column;
-        slice2window_centre_start_of_frame <= slice1window_centre_start_of_frame;
-        slice2window_centre_end_of_line <= slice1window_centre_end_of_line;
       end if;
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
@@ -580,44 +620,10 @@ begin
       -- slice2
       slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
         as_number(slice2winner3_best_index_0_0);
-      slice2_best_tag_valid <= other_27;
-      slice2_best_tag_output_column <= other_26;
-      slice2_best_tag_start_of_frame <= other_25;
-      slice2_best_tag_end_of_line <= other_24;
-      -- other
-      other_0 <= slice0shift_tag_valid;
-      other_1 <= slice0shift_tag_border_column;
-      other_2 <= other_0;
-      other_3 <= other_20;
-      other_4 <= other_29;
-      other_5 <= other_31;
-      other_6 <= other_2;
-      other_7 <= other_6;
-      other_8 <= other_9;
-      other_9 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
-      other_10 <= other_7;
-      other_11 <= slice2window_centre_end_of_line;
-      other_12 <= slice2window_centre_start_of_frame;
-      other_13 <= slice2window_centre_output_column;
-      other_14 <= other_10;
-      other_15 <= other_11;
-      other_16 <= other_12;
-      other_17 <= other_13;
-      other_18 <= other_14;
-      other_19 <= other_15;
-      other_20 <= other_28;
-      other_21 <= other_16;
-      other_22 <= other_17;
-      other_23 <= other_18;
-      other_24 <= other_19;
-      other_25 <= other_21;
-      other_26 <= other_22;
-      other_27 <= other_23;
-      other_28 <= slice0shift_tag_end_of_line;
-      other_29 <= other_30;
-      other_30 <= slice0shift_tag_start_of_frame;
-      other_31 <= other_32;
-      other_32 <= slice0shift_tag_output_column;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -649,49 +655,49 @@ begin
         slice0shift_tag_output_column <= false;
         slice0shift_tag_start_of_frame <= false;
         slice0shift_tag_end_of_line <= false;
-        slice0window_centre_output_column <= false;
-        slice0window_centre_start_of_frame <= false;
-        slice0window_centre_end_of_line <= false;
-        slice1window_centre_output_column <= false;
-        slice1window_centre_start_of_frame <= false;
-        slice1window_centre_end_of_line <= false;
-        slice2window_centre_output_column <= false;
-        slice2window_centre_start_of_frame <= false;
-        slice2window_centre_end_of_line <= false;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
         slice2_best_tag_valid <= false;
         slice2_best_tag_output_column <= false;
         slice2_best_tag_start_of_frame <= false;
         slice2_best_tag_end_of_line <= false;
-        other_0 <= false;
-        other_2 <= false;
-        other_3 <= false;
-        other_4 <= false;
-        other_5 <= false;
-        other_6 <= false;
-        other_7 <= false;
-        other_10 <= false;
-        other_11 <= false;
-        other_12 <= false;
-        other_13 <= false;
-        other_14 <= false;
-        other_15 <= false;
-        other_16 <= false;
-        other_17 <= false;
-        other_18 <= false;
-        other_19 <= false;
-        other_20 <= false;
-        other_21 <= false;
-        other_22 <= false;
-        other_23 <= false;
-        other_24 <= false;
-        other_25 <= false;
-        other_26 <= false;
-        other_27 <= false;
-        other_28 <= false;
-        other_29 <= false;
-        other_30 <= false;
-        other_31 <= false;
-        other_32 <= false;
       end if;
     end if;
   end process;

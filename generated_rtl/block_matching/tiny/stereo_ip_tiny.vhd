@@ -64,7 +64,7 @@ begin
       latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"54da49c3",
+      core_id => x"912d4ff4",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
