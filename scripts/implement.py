@@ -11,8 +11,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import rtl
 from flow.base.errors import ArgumentParser, FlowError, run_command
-from flow.base.tools import find_ghdl, find_yosys
+from flow.base.tools import find_ghdl
 from flow.implementation import job, yosys
+from flow.implementation.targets import FAMILIES, TARGETS
 
 DEFAULT_SEEDS = [1, 2, 3]
 
@@ -26,20 +27,22 @@ def chosen(given: list[str], known: Collection[str], what: str) -> list[str]:
 
 
 def jobs(options: Namespace) -> list[job.Job]:
-    targets = chosen(options.target or ["all"], yosys.TARGETS, "target")
+    targets = chosen(options.target or list(FAMILIES), TARGETS, "target")
     if any(seed < 1 for seed in options.seeds):
         raise FlowError("--seeds must be 1 or more")
     seeds = sorted(set(options.seeds))
     if options.rtl:
         if len(options.config) != 1 or options.config == ["all"]:
             raise FlowError("--rtl takes the VHDL of one --config")
+        if options.shell:
+            raise FlowError("--shell takes the committed VHDL, not that of --rtl")
         names = options.config
     else:
         names = chosen(options.config, rtl.known_configurations(), "configuration")
     made = []
     for name in names:
         vhdl = options.rtl or rtl.folder(name)
-        made.append(job.Job(name, vhdl, options.out / name if options.out else vhdl, targets, seeds))
+        made.append(job.Job(name, vhdl, options.out / name if options.out else vhdl, targets, seeds, options.shell))
     return made
 
 
@@ -55,8 +58,11 @@ def main() -> int:
     parser.add_argument(
         "--target",
         action="append",
-        metavar="FAMILY",
-        help=f"{', '.join(yosys.TARGETS)} or all, may be repeated (default all)",
+        metavar="TARGET",
+        help=f"{', '.join(TARGETS)} or all, may be repeated (default {', '.join(FAMILIES)})",
+    )
+    parser.add_argument(
+        "--shell", action="store_true", help="stereo_ip_NAME, the core in its AXI shell, instead of the core alone"
     )
     parser.add_argument(
         "--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)"
@@ -65,7 +71,7 @@ def main() -> int:
     parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     work = jobs(parser.parse_args())
     find_ghdl()
-    find_yosys()
+    yosys.find_yosys()
     return max(job.run_job(one) for one in work)
 
 

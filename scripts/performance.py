@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes docs/performance.md from the committed manifests and implementation results. Runs no tool."""
+"""Writes docs/performance.md and its plot from the committed manifests and implementation results, and prints the
+evaluations a second per LUT of each routed configuration. Runs no tool."""
 
 import sys
 from pathlib import Path
@@ -9,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files, rtl
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.implementation.results import Configuration
-from flow.pages import performance
+from flow.pages import clock_logic, performance
 
 
 def main() -> int:
@@ -20,14 +21,20 @@ def main() -> int:
     options = parser.parse_args()
     if options.config:
         return show(options.config)
-    return files.update({performance.PAGE: performance.page()}, options.check, "scripts/performance.py")
+    routed = performance.routed_configurations()
+    texts = {performance.PAGE: performance.page(), clock_logic.PICTURE: clock_logic.picture(clock_logic.points(routed))}
+    code = files.update(texts, options.check, "scripts/performance.py")
+    if not options.check:
+        print(performance.one_number_table(routed))
+    return code
 
 
 def show(name: str) -> int:
     if name not in rtl.known_configurations():
         raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(rtl.known_configurations())}")
     configuration = Configuration(name)
-    for make in (performance.per_clock_table, performance.speed_table, performance.area_table):
+    tables = [performance.per_clock_table, performance.speed_table, performance.shell_table, performance.area_table]
+    for make in tables:
         print(make([configuration]), end="\n\n")
     return EXIT_OK
 

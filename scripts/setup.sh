@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 packages=(
    g++ cmake ninja-build                                     # native build
    libopencv-dev libgtest-dev libcli11-dev nlohmann-json3-dev
-   ghdl-mcode verilator yosys                                # co-simulation and area
+   ghdl-mcode verilator yosys                                # co-simulation and proofs
    python3 python3-venv python3-rich python3-jinja2                # the flow
    python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
    python3-pytest python3-hypothesis                         # its tests

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Measures how long frames take: from the clock after `starts` to the one with `ends`, both counted.
 -- Frames overlap: start_slot and end_slot, 0 or 1, say which of two is meant.
---   clocks  of the last frame that ended, 0 before the first; modulo 2**32
--- Size: 128 register bits.
+--   clocks  of the last frame that ended, two clocks after `ends`; 0 before the first; modulo 2**32
+-- Size: 132 register bits.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -23,22 +23,30 @@ architecture rtl of frame_timer is
   type times is array (0 to 1) of unsigned(31 downto 0);
   signal now_clock : unsigned(31 downto 0) := (others => '0');
   signal started : times := (others => (others => '0'));
+  -- As they were in the last clock.
+  signal begun, ended, begun_slot, ended_slot : std_logic := '0';
 begin
   process (clock)
     variable start_clock : unsigned(31 downto 0);
   begin
     if rising_edge(clock) then
       now_clock <= now_clock + 1;
-      if starts = '1' and start_slot = '0' then
+      begun <= starts;
+      begun_slot <= start_slot;
+      ended <= ends;
+      ended_slot <= end_slot;
+      if begun = '1' and begun_slot = '0' then
         started(0) <= now_clock;
-      elsif starts = '1' then
+      elsif begun = '1' then
         started(1) <= now_clock;
       end if;
-      start_clock := started(0) when end_slot = '0' else started(1);
-      if ends = '1' then
+      start_clock := started(0) when ended_slot = '0' else started(1);
+      if ended = '1' then
         clocks <= now_clock - start_clock;
       end if;
       if reset = '1' then
+        begun <= '0';
+        ended <= '0';
         now_clock <= (others => '0');
         clocks <= (others => '0');
       end if;

@@ -20,9 +20,10 @@
 --   busy             something is in the shell or on its way through the core
 --   errors           pulses: bits 0 ... 3 of stereo_framing, 4: the core showed a disparity in a clock in which none of its
 --                    groups can give one
---   frame_ends       a frame's last disparity leaves the core; frame_ends_broken: it is not whole
+--   frame_ends       a frame's last disparity left the core in the last clock; frame_ends_broken: it is not whole
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
---                    last disparity leaves it, both counted
+--                    last disparity leaves it, both counted; a clock after frame_ends
+--   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
 -- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 4) words of (disparity_bits + 1) * P + 3 bits.
 -- Generics: those of the core.
 library ieee;
@@ -87,7 +88,7 @@ architecture rtl of stereo_axis is
   signal stream_errors : std_logic_vector(3 downto 0);
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
-  signal result : std_logic;
+  signal core_in_reset, shows, result : std_logic;
   signal frame_error, ends, entering, leaving : std_logic;
   signal result_word, word : std_logic_vector(word_bits - 1 downto 0);
   signal word_valid, taken : std_logic;
@@ -119,14 +120,15 @@ begin
       error => stream_errors,
       out_valid => group_valid, out_start => group_start, out_data => group_pixels);
 
-  core_reset <= clear;
+  core_reset <= core_in_reset;
   core_left_pixel <= group_pixels(pixel_bits - 1 downto 0);
   core_right_pixel <= group_pixels(2 * pixel_bits - 1 downto pixel_bits);
   core_start_of_frame <= group_start;
   core_valid <= group_valid;
 
+  shows <= core_disparity_valid and not core_in_reset;
   -- What has no credit has no place in the queue either.
-  result <= core_disparity_valid and not stray;
+  result <= shows and not stray;
 
   frames : entity work.stereo_frames
     generic map (row_groups => height_px / pixels_per_clock)
@@ -152,7 +154,7 @@ begin
   credit : entity work.stream_credit
     generic map (words => credits, latency => latency_clocks)
     port map (
-      clock => aclk, reset => reset, sends => sends, result => core_disparity_valid, taken => taken,
+      clock => aclk, reset => reset, sends => sends, result => shows, taken => taken,
       may_send => may_send, in_flight => in_flight, all_back => all_back, stray => stray);
 
   taken <= word_valid and m_axis_tready;
@@ -165,6 +167,13 @@ begin
 
   busy <= beat_valid or not at_rest or not all_back;
   errors <= stray & stream_errors;
-  frame_ends <= ends;
-  frame_ends_broken <= ends and frame_error;
+
+  process (aclk)
+  begin
+    if rising_edge(aclk) then
+      core_in_reset <= clear;
+      frame_ends <= ends and not clear;
+      frame_ends_broken <= ends and frame_error and not clear;
+    end if;
+  end process;
 end architecture;

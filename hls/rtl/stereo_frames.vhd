@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Follows the frames through the core: at most two are in it, the older one leaving while the younger one enters.
 --   starts, breaks       a frame enters; the one that entered last is not whole (see stereo_framing)
---   may_start            there is room for another frame
+--   may_start            there is room for another frame; from a register
 --   result_*             what the core shows in this clock
 --   frame_error          belongs to the disparity that the core shows: its frame is known not to be whole
 --   ends                 that disparity is the last of its frame
@@ -22,7 +22,7 @@ entity stereo_frames is
     reset : in std_logic;
     starts : in std_logic;
     breaks : in std_logic;
-    may_start : out std_logic;
+    may_start : out std_logic := '1';
     result_valid : in std_logic;
     result_start : in std_logic;
     result_last : in std_logic;
@@ -40,7 +40,6 @@ architecture rtl of stereo_frames is
   signal line_group : natural range 0 to row_groups - 1 := 0;  -- of the next disparity but for a frame's first
   signal current, frame_leaves : std_logic;
 begin
-  may_start <= '1' when frames_inside < 2 else '0';
   current <= oldest xor (result_valid and result_start);
   frame_leaves <= result_valid and result_last when line_group = row_groups - 1 else '0';
   frame_error <= broken(0) when current = '0' else broken(1);
@@ -69,8 +68,10 @@ begin
 
       if starts = '1' and frame_leaves = '0' then
         frames_inside <= frames_inside + 1;
+        may_start <= '1' when frames_inside = 0 else '0';
       elsif starts = '0' and frame_leaves = '1' then
         frames_inside <= frames_inside - 1;
+        may_start <= '1';
       end if;
 
       if reset = '1' then
@@ -78,6 +79,7 @@ begin
         youngest <= '0';
         oldest <= '0';
         frames_inside <= 0;
+        may_start <= '1';
         line_group <= 0;
       end if;
     end if;

@@ -64,21 +64,24 @@ architecture rtl of stereo_framing is
   signal phase : phases := idle;
   signal column : natural range 0 to columns - 1 := 0;  -- of the next group of the frame
   signal row_group : natural range 0 to row_groups - 1 := 0;
+  -- Decoded a clock ahead, for what decides in a clock whether a group is sent.
+  signal line_ends : std_logic := '0';  -- column = columns - 1
+  signal last_line : std_logic := '0';  -- row_group = row_groups - 1
+  signal between : std_logic := '1';  -- idle, or flushing with just gap_groups flush groups sent
   signal flushed : natural range 0 to all_flush_groups := 0;  -- flush groups sent since the frame
   signal lost : std_logic := '0';  -- since the last break no start of frame has come
 
   signal may_begin, begins, continues, fills, brings, drops : std_logic;
-  signal line_ends, frame_ends, early_end, late_end, early_start, broken : std_logic;
+  signal frame_ends, early_end, late_end, early_start, broken : std_logic;
 begin
-  may_begin <= enable and not halt and may_start when phase = idle or (phase = flushing and flushed = gap_groups) else '0';
+  may_begin <= enable and not halt and may_start and between;
   begins <= in_valid and in_start and may_begin and may_send;
   continues <= in_valid and not in_start and not halt and may_send when phase = inside else '0';
   fills <= may_send and not begins when phase = filling or phase = flushing else '0';
   brings <= begins or continues;
   drops <= in_valid and not in_start when phase /= inside else '0';
 
-  line_ends <= '1' when column = columns - 1 else '0';
-  frame_ends <= line_ends when row_group = row_groups - 1 else '0';
+  frame_ends <= line_ends and last_line;
   early_end <= brings and in_last and not line_ends;
   late_end <= brings and line_ends and not in_last;
   early_start <= in_valid and in_start and not halt when phase = inside else '0';
@@ -97,9 +100,7 @@ begin
     if rising_edge(clock) then
       out_valid <= brings or fills;
       out_start <= begins;
-      if brings = '1' or fills = '1' then
-        out_data <= in_data;
-      end if;
+      out_data <= in_data;  -- counts with out_valid only
 
       in_frame := brings;
       if phase = filling then
@@ -107,23 +108,34 @@ begin
       end if;
       if in_frame = '1' then
         column <= column + 1 when line_ends = '0' else 0;
+        line_ends <= '1' when column = columns - 2 else '0';
         if line_ends = '1' then
-          row_group <= row_group + 1 when frame_ends = '0' else 0;
+          row_group <= row_group + 1 when last_line = '0' else 0;
+          last_line <= '1' when row_groups = 1 or row_group = row_groups - 2 else '0';
         end if;
       end if;
 
       if in_frame = '1' and frame_ends = '1' then
         phase <= flushing when all_flush_groups > 0 else idle;
-        flushed <= 0;
+        between <= '1' when gap_groups = 0 else '0';
       elsif broken = '1' then
         phase <= filling;
+        between <= '0';
       elsif begins = '1' then
         phase <= inside;
+        between <= '0';
       elsif phase = flushing and fills = '1' then
-        flushed <= flushed + 1;
+        between <= '1' when flushed = gap_groups - 1 else '0';
         if flushed = all_flush_groups - 1 then
           phase <= idle;
+          between <= '1';
         end if;
+      end if;
+
+      if phase /= flushing then
+        flushed <= 0;
+      elsif may_send = '1' and flushed /= all_flush_groups then
+        flushed <= flushed + 1;
       end if;
 
       lost <= broken or (lost and not begins);
@@ -132,6 +144,9 @@ begin
         phase <= idle;
         column <= 0;
         row_group <= 0;
+        line_ends <= '0';
+        last_line <= '1' when row_groups = 1 else '0';
+        between <= '1';
         flushed <= 0;
         lost <= '0';
         out_valid <= '0';

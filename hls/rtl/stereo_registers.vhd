@@ -58,8 +58,9 @@ end entity;
 architecture rtl of stereo_registers is
   subtype word is std_logic_vector(31 downto 0);
 
-  signal awake : std_logic := '0';  -- '0' in reset and in the clock after it: nothing is accepted
   signal have_address, have_data, bvalid, rvalid : std_logic := '0';
+  -- '0' in reset and in the clock after it, else the opposite of have_address, have_data and rvalid.
+  signal takes_address, takes_data, takes_read : std_logic := '0';
   signal write_address : natural range 0 to 2 ** (address_bits - 2) - 1;  -- in words
   signal write_data : word;
   signal write_bytes : std_logic_vector(3 downto 0);
@@ -83,11 +84,11 @@ architecture rtl of stereo_registers is
   type words is array (0 to 2 ** (address_bits - 2) - 1) of word;
   signal values : words;
 begin
-  s_axil_awready <= awake and not have_address;
-  s_axil_wready <= awake and not have_data;
+  s_axil_awready <= takes_address;
+  s_axil_wready <= takes_data;
   s_axil_bvalid <= bvalid;
   s_axil_bresp <= "00";
-  s_axil_arready <= awake and not rvalid;
+  s_axil_arready <= takes_read;
   s_axil_rvalid <= rvalid;
   s_axil_rresp <= "00";
   enable <= enabled;
@@ -116,12 +117,17 @@ begin
     if rising_edge(aclk) then
       if rvalid = '1' then
         rvalid <= not s_axil_rready;
-      elsif awake = '1' and s_axil_arvalid = '1' then
-        rvalid <= '1';
+        takes_read <= s_axil_rready;
+      else
+        rvalid <= s_axil_arvalid and takes_read;
+        takes_read <= not (s_axil_arvalid and takes_read);
+      end if;
+      if takes_read = '1' and s_axil_arvalid = '1' then
         s_axil_rdata <= values(to_integer(unsigned(s_axil_araddr(address_bits - 1 downto 2))));
       end if;
       if aresetn = '0' then
         rvalid <= '0';
+        takes_read <= '0';
       end if;
     end if;
   end process;
@@ -129,13 +135,10 @@ begin
   writing : process (aclk)
   begin
     if rising_edge(aclk) then
-      awake <= '1';
-      if s_axil_awvalid = '1' and awake = '1' and have_address = '0' then
-        have_address <= '1';
+      if takes_address = '1' and s_axil_awvalid = '1' then
         write_address <= to_integer(unsigned(s_axil_awaddr(address_bits - 1 downto 2)));
       end if;
-      if s_axil_wvalid = '1' and awake = '1' and have_data = '0' then
-        have_data <= '1';
+      if takes_data = '1' and s_axil_wvalid = '1' then
         write_data <= s_axil_wdata;
         write_bytes <= s_axil_wstrb;
       end if;
@@ -143,11 +146,18 @@ begin
         bvalid <= '1';
         have_address <= '0';
         have_data <= '0';
-      elsif s_axil_bready = '1' then
-        bvalid <= '0';
+        takes_address <= '1';
+        takes_data <= '1';
+      else
+        bvalid <= bvalid and not s_axil_bready;
+        have_address <= have_address or (takes_address and s_axil_awvalid);
+        have_data <= have_data or (takes_data and s_axil_wvalid);
+        takes_address <= not (have_address or (takes_address and s_axil_awvalid));
+        takes_data <= not (have_data or (takes_data and s_axil_wvalid));
       end if;
       if aresetn = '0' then
-        awake <= '0';
+        takes_address <= '0';
+        takes_data <= '0';
         have_address <= '0';
         have_data <= '0';
         bvalid <= '0';

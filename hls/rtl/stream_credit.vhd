@@ -36,29 +36,28 @@ end entity;
 architecture rtl of stream_credit is
   signal flight : std_logic_vector(0 to latency) := (others => '0');  -- flight(k): entered the core k clocks ago
   signal lent : natural range 0 to words := 0;
+  signal unused : std_logic;
 begin
   in_flight <= or flight;
   all_back <= '1' when lent = 0 else '0';
   stray <= result and not flight(latency);
+  unused <= flight(latency) and not result;
 
+  -- `sends` comes late in a clock: what follows from it is one addition, and one choice between three answers.
   process (clock)
-    variable lent_after : integer range -2 to words + 1;
+    variable change : integer range -2 to 1;
   begin
     if rising_edge(clock) then
-      lent_after := lent;
-      if sends = '1' then
-        lent_after := lent_after + 1;
-      end if;
-      if flight(latency) = '1' and result = '0' then
-        lent_after := lent_after - 1;
-      end if;
-      if taken = '1' then
-        lent_after := lent_after - 1;
-      end if;
-      lent <= lent_after;
-      if lent_after < words then
-        may_send <= '1';
+      if unused = '1' and taken = '1' then
+        change := -1 when sends = '1' else -2;
+      elsif unused = '1' or taken = '1' then
+        change := 0 when sends = '1' else -1;
       else
+        change := 1 when sends = '1' else 0;
+      end if;
+      lent <= lent + change;
+      may_send <= '1';
+      if (change = 0 and lent = words) or (change = 1 and lent = words - 1) then
         may_send <= '0';
       end if;
       flight <= sends & flight(0 to latency - 1);

@@ -40,16 +40,15 @@ begin
       spare_in_use := spare_valid;
       if out_ready = '1' or main_valid = '0' then
         -- The spare word is the older one; nothing arrives while there is one.
-        if spare_valid = '1' then
-          main_data <= spare_data;
-        elsif arrives = '1' then
-          main_data <= in_data;
-        end if;
+        main_data <= spare_data when spare_valid = '1' else in_data;
         main_valid <= spare_valid or arrives;
         spare_in_use := '0';
       elsif arrives = '1' then
-        spare_data <= in_data;
         spare_in_use := '1';
+      end if;
+      -- What no *_valid speaks of may change in any clock.
+      if accepts = '1' then
+        spare_data <= in_data;
       end if;
       spare_valid <= spare_in_use;
       accepts <= not spare_in_use;

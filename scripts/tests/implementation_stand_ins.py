@@ -4,7 +4,8 @@ answer."""
 
 import json
 
-VERILOG = "module stereo_core_tiny\\n  assign raster_left = n1_q;\\n  assign slice0cost_column_0 = n2_q;\\nendmodule"
+SHELL = "module stereo_ip_tiny\\nendmodule\\n"
+CORE = "module stereo_core_tiny\\n  assign raster_left = n1_q;\\n  assign slice0cost_column_0 = n2_q;\\nendmodule"
 CELLS = {"LUT4": 10, "CCU2C": 3, "TRELLIS_DPR16X4": 2, "PFUMX": 4, "TRELLIS_FF": 7, "DP16KD": 1}
 NETLIST = {
     "modules": {
@@ -18,7 +19,7 @@ NETLIST = {
     }
 }
 MEMORY = "  cell $mem_v2 \\rows.memory\n    parameter \\SIZE 320\n    parameter \\WIDTH 16\n"
-GHDL = f"""case "$*" in *--version*) echo 'GHDL 2.0.0 (stand-in)';; *--synth*) printf '{VERILOG}\\n';; esac"""
+GHDL = f"""case "$*" in *--version*) echo 'GHDL 2.0.0 (stand-in)';; *--synth*) printf '{SHELL}{CORE}\\n';; esac"""
 
 
 def report(mhz):

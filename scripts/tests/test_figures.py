@@ -8,6 +8,7 @@ from flow.cosim.job import middle_rows
 from flow.implementation import figures
 
 PAPER_P2 = {"width_px": 320, "height_px": 240, "disparities": 100, "pixels_per_clock": 2, "gap_groups": 0}
+PAPER_P2 |= {"output_width_px": 220, "output_height_px": 240}
 
 
 def test_a_frame_takes_a_clock_for_each_group():
@@ -25,7 +26,12 @@ def test_speed_follows_from_the_clock():
     speed = figures.speed(PAPER_P2, 100.0, 20_000)
     assert speed["frames_per_second"] == pytest.approx(2604.17, abs=0.01)
     assert speed["mde_per_second"] == pytest.approx(20_000)
+    assert speed["output_mde_per_second"] == pytest.approx(20_000 * 220 / 320)
     assert speed["evaluations_per_second_per_lut"] == pytest.approx(1e6)
+
+
+def test_one_seed_is_no_median():
+    assert [figures.counted(seeds) for seeds in (1, 2, 3)] == ["one seed", "median of 2", "median of 3"]
 
 
 # (pixels a clock, groups to the first output, least rows wanted, result) of an image of 32x12

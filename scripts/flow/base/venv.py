@@ -28,6 +28,14 @@ def ensure(name: str, requirements: Path, what: str, say: Say = print) -> Path:
     return folder / "bin"
 
 
+def pinned(requirements: Path, package: str) -> str:
+    """The line of the file `requirements` that names a package and its version."""
+    for line in requirements.read_text().splitlines():
+        if line.startswith(f"{package}=="):
+            return line
+    raise FlowError(f"{requirements} does not pin {package}")
+
+
 def _install(folder: Path, requirements: Path, what: str) -> None:
     python = PYTHON if os.access(PYTHON, os.X_OK) else sys.executable
     log = folder.parent / f"{folder.name}.log"

@@ -9,7 +9,8 @@ from .record import Area
 
 class Speed(TypedDict):
     frames_per_second: float
-    mde_per_second: float  # million disparity evaluations
+    mde_per_second: float  # million disparity evaluations, W*H*D each frame
+    output_mde_per_second: float  # of the columns and rows with an output only
     evaluations_per_second_per_lut: float
 
 
@@ -24,6 +25,11 @@ def evaluations_per_frame(size: Size) -> int:
     return size["width_px"] * size["height_px"] * size["disparities"]
 
 
+def output_evaluations_per_frame(parameters: Parameters) -> int:
+    """Of the pixels that the map has."""
+    return parameters["output_width_px"] * parameters["output_height_px"] * parameters["disparities"]
+
+
 def evaluations_per_clock(parameters: Parameters) -> float:
     return evaluations_per_frame(parameters) / clocks_per_frame(parameters)
 
@@ -34,8 +40,14 @@ def speed(parameters: Parameters, fmax_mhz: float, luts: int) -> Speed:
     return {
         "frames_per_second": frames,
         "mde_per_second": evaluations / 1e6,
+        "output_mde_per_second": frames * output_evaluations_per_frame(parameters) / 1e6,
         "evaluations_per_second_per_lut": evaluations / luts,
     }
+
+
+def counted(seeds: int) -> str:
+    """What a clock of so many seeds is."""
+    return "one seed" if seeds == 1 else f"median of {seeds}"
 
 
 def lut_count(area: Area) -> int:

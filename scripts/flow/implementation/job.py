@@ -5,6 +5,7 @@ implementation.json."""
 import json
 import re
 import shutil
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,8 +15,10 @@ from ..base import ghdl, rtl
 from ..base.configurations import Parameters
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.tools import ROOT
+from ..shell import design
 from ..synthesis import manifest
 from . import figures, nextpnr, record, yosys
+from .targets import TARGETS, TOP, Target
 
 WORK = ROOT / "build" / "implementation"
 
@@ -27,6 +30,24 @@ class Job:
     out: Path  # folder for implementation.json
     targets: list[str]
     seeds: list[int]
+    shell: bool = False  # stereo_ip_CONFIG instead of the core alone
+
+    @property
+    def entity(self) -> str:
+        return rtl.ip_entity(self.config) if self.shell else rtl.core_entity(self.config)
+
+    def files(self) -> list[Path]:
+        return design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
+
+
+@dataclass(frozen=True)
+class Netlist:
+    """What yosys made for a family: the same for each of its devices."""
+
+    work: Path  # with netlist.json
+    area: record.Area
+    lost: list[str]  # memories that became flip-flops
+    names: dict[str, str]  # of registers
 
 
 def check_writable(out: Path) -> None:
@@ -36,50 +57,66 @@ def check_writable(out: Path) -> None:
         raise FlowError(f"cannot create {out}: {error.strerror}") from None
 
 
-def implement_target(
-    job: Job, target: yosys.Target, vhdl: list[Path], progress: Progress
-) -> tuple[record.Result, list[str]]:
-    """Area and, where there is a router, clock on one family. Returns (result, memories that became flip-flops)."""
-    work = WORK / job.config / target.name
+def synthesize(job: Job, target: Target, stage: Callable[[str], None]) -> Netlist:
+    work = WORK / job.entity / (target.family or target.name)
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
+    stage("ghdl --synth")
+    verilog = re.sub(rf"\bmodule {job.entity}\b", f"module {TOP}", ghdl.to_verilog(job.files(), work, job.entity))
+    stage("yosys")
+    area, lost = yosys.synthesize(target, verilog, work)
+    names = {}
+    if target.device:
+        names = nextpnr.register_names(verilog, json.loads((work / "netlist.json").read_text()))
+    return Netlist(work, area, lost, names)
+
+
+def implement_target(
+    job: Job, target: Target, made: dict[str, Netlist], progress: Progress
+) -> tuple[record.Result, list[str]]:
+    """Area and, where there is a router, clock on one target. `made`: the netlists of the families so far. Returns
+    (result, memories that became flip-flops)."""
     router = nextpnr.find_nextpnr(progress.console.print) if target.device else None
     seeds = job.seeds if target.device else []
     task = progress.add_task("", total=2 + len(seeds))
 
-    def stage(name: str, done: int) -> None:
-        progress.update(task, description=f"{job.config} {target.name}: {name}", completed=done)
+    def stage(name: str) -> None:
+        progress.update(task, description=f"{job.entity} {target.name}: {name}", advance=1)
 
-    stage("ghdl --synth", 0)
-    entity = rtl.core_entity(job.config)
-    verilog = re.sub(rf"\bmodule {entity}\b", f"module {yosys.TOP}", ghdl.to_verilog(vhdl, work, entity))
-    stage("yosys", 1)
-    area, lost = yosys.synthesize(target, verilog, work)
+    family = target.family or target.name
+    if family not in made:
+        made[family] = synthesize(job, target, stage)
+    netlist = made[family]
     tools = {"ghdl": ghdl.version(), "yosys": yosys.version()}
-    result: record.Result = {**area, "synthesis": target.synthesis, "tools": tools}
+    result: record.Result = {**netlist.area, "synthesis": target.synthesis, "tools": tools}
     if router is not None and target.device is not None:
+        work = netlist.work / target.name
+        work.mkdir()
         reports = {}
-        for number, seed in enumerate(seeds):
-            stage(f"nextpnr, seed {seed}", 2 + number)
-            reports[seed] = nextpnr.route(router, seed, work)
+        for seed in seeds:
+            stage(f"nextpnr, seed {seed}")
+            reports[seed] = nextpnr.route(router, target.device_options, seed, netlist.work / "netlist.json", work)
         tools["nextpnr"] = nextpnr.version(router, work)
-        names = nextpnr.register_names(verilog, json.loads((work / "netlist.json").read_text()))
-        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, **nextpnr.clocks(reports, names)}
-    stage("done", 2 + len(seeds))
-    return result, lost
+        routed = nextpnr.clocks(reports, netlist.names)
+        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, **routed}
+    progress.update(task, description=f"{job.entity} {target.name}: done", completed=2 + len(seeds))
+    return result, netlist.lost
 
 
 def run_job(job: Job) -> int:
     """Implements one configuration on its targets. Returns the exit code."""
-    vhdl, entry = manifest.vhdl_files(job.vhdl), manifest.read(job.vhdl)
+    entry = manifest.read(job.vhdl)
+    manifest.vhdl_files(job.vhdl)  # is the VHDL as it was made?
     check_writable(job.out)
-    all_lost = []
+    all_lost: list[str] = []
+    made: dict[str, Netlist] = {}
+    shell = design.digests() if job.shell else None
     columns = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
     with Progress(*columns, TextColumn("steps"), TimeElapsedColumn()) as bar:
         for name in job.targets:
-            result, lost = implement_target(job, yosys.TARGETS[name], vhdl, bar)
-            record.merge(job.out, entry, name, result)
-            bar.console.print(summary(job.config, name, entry["parameters"], result), highlight=False, soft_wrap=True)
+            result, lost = implement_target(job, TARGETS[name], made, bar)
+            record.merge(job.out, entry, name, result, shell)
+            bar.console.print(summary(job.entity, name, entry["parameters"], result), highlight=False, soft_wrap=True)
             all_lost += [f"{memory} on {name}" for memory in lost]
     if all_lost:
         raise FlowError(
@@ -88,10 +125,10 @@ def run_job(job: Job) -> int:
     return EXIT_OK
 
 
-def summary(config: str, target: str, parameters: Parameters, result: record.Result) -> str:
-    luts, name = figures.lut_count(result), yosys.TARGETS[target].lut_name
+def summary(entity: str, target: str, parameters: Parameters, result: record.Result) -> str:
+    luts, name = figures.lut_count(result), TARGETS[target].lut_name
     text = [
-        f"{config} on {target}: {luts} {name}, {result['ffs']} flip-flops, {result['memory_bits']} memory bits in "
+        f"{entity} on {target}: {luts} {name}, {result['ffs']} flip-flops, {result['memory_bits']} memory bits in "
         f"{result['block_rams']} block RAMs and LUT RAM",
         f"  {figures.clocks_per_frame(parameters)} clocks a frame, "
         f"{figures.evaluations_per_clock(parameters):g} disparity evaluations a clock",
@@ -101,8 +138,8 @@ def summary(config: str, target: str, parameters: Parameters, result: record.Res
         seeds = ", ".join(f"{seed}: {mhz}" for seed, mhz in fmax["by_seed"].items())
         speed = figures.speed(parameters, fmax["median"], luts)
         text += [
-            f"  {fmax['median']} MHz routed (median of seeds {seeds}) on {result['device']}, "
-            f"{result['lut_sites']} LUT sites",
+            f"  {fmax['median']} MHz routed ({figures.counted(len(fmax['by_seed']))}; by seed {seeds}) on "
+            f"{result['device']}, {result['lut_sites']} LUT sites",
             f"  slowest path: {path['from']} to {path['to']}, block {path['block']}",
             f"  {speed['frames_per_second']:.1f} frames a second, "
             f"{speed['mde_per_second']:.0f} million disparity evaluations a second, "

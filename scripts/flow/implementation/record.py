@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""generated_rtl/FAMILY/NAME/implementation.json: area and clock of that VHDL on each FPGA family."""
+"""generated_rtl/FAMILY/NAME/implementation.json: area and clock of that VHDL on each FPGA family, and of the AXI shell
+around it."""
 
 import json
 from pathlib import Path
@@ -8,7 +9,7 @@ from typing import NotRequired, TypedDict, cast
 from ..base import files, json_files
 from ..synthesis.manifest import Digests, Manifest, design
 
-FORMAT = "stereo-hls implementation 2"
+FORMAT = "stereo-hls implementation 3"
 FILE = "implementation.json"
 
 
@@ -54,11 +55,19 @@ class Result(Area):
     critical_path: NotRequired[CriticalPath]
 
 
+class Shell(TypedDict):
+    """stereo_ip_NAME."""
+
+    design: Digests  # of the shell's own VHDL
+    targets: dict[str, Result]
+
+
 class Record(TypedDict):
     format: str
     configuration: str
-    design: Digests
+    design: Digests  # of the core
     targets: dict[str, Result]
+    shell: NotRequired[Shell]
 
 
 def read(directory: Path) -> Record | None:
@@ -69,6 +78,9 @@ def read(directory: Path) -> Record | None:
         return None
     if not all(isinstance(content.get(key), dict) for key in ("targets", "design")):
         raise json_files.damaged(path, FORMAT)
+    shell = content.get("shell", {"targets": {}, "design": {}})
+    if not isinstance(shell, dict) or not all(isinstance(shell.get(key), dict) for key in ("targets", "design")):
+        raise json_files.damaged(path, FORMAT)
     return cast(Record, content)
 
 
@@ -77,8 +89,15 @@ def is_fresh(record: Record, entry: Manifest) -> bool:
     return record["design"] == design(entry)
 
 
-def merge(out: Path, entry: Manifest, target: str, result: Result) -> None:
-    """Adds one target's result to implementation.json. Results of other targets stay when they are of the same VHDL."""
+def shell_results(record: Record, shell: Digests) -> dict[str, Result]:
+    """Those of stereo_ip_NAME by target; none when they are of a shell other than `shell`."""
+    kept = record.get("shell")
+    return kept["targets"] if kept and kept["design"] == shell else {}
+
+
+def merge(out: Path, entry: Manifest, target: str, result: Result, shell: Digests | None = None) -> None:
+    """Adds one target's result to implementation.json: of the core, or with `shell` of the shell of these digests
+    around it. Results of other targets stay when they are of the same VHDL."""
     record = read(out)
     if record is None or not is_fresh(record, entry):
         record = {
@@ -87,5 +106,8 @@ def merge(out: Path, entry: Manifest, target: str, result: Result) -> None:
             "design": design(entry),
             "targets": {},
         }
-    record["targets"][target] = result
+    if shell is None:
+        record["targets"][target] = result
+    else:
+        record["shell"] = {"design": shell, "targets": shell_results(record, shell) | {target: result}}
     files.write(out / FILE, json.dumps(record, indent=2, sort_keys=True) + "\n")

@@ -5,6 +5,7 @@ from ..base import rtl
 from ..base.configurations import Size, option
 from ..base.errors import EXIT_MISMATCH, FlowError
 from ..cosim import record as cosim_record
+from ..shell import design
 from ..synthesis import manifest
 from . import figures, record
 
@@ -14,6 +15,7 @@ class Clock(figures.Speed):
 
     median: float
     best: float
+    seeds: int
     path: record.CriticalPath
 
 
@@ -33,7 +35,10 @@ class Configuration:
                 f"{folder / record.FILE} is of other VHDL; run scripts/implement.py --config {name}",
                 EXIT_MISMATCH,
             )
-        self.targets = implemented["targets"] if implemented and not self.stale else {}
+        fresh = implemented if implemented and not self.stale else None
+        self.targets = fresh["targets"] if fresh else {}
+        # Of stereo_ip_NAME; a result of an older shell is none.
+        self.shell_targets = record.shell_results(fresh, design.digests()) if fresh else {}
         self.cosimulations = cosim_record.read(folder, self.manifest)
 
     def has(self, size: Size) -> bool:
@@ -46,10 +51,17 @@ class Configuration:
         windows = f" {window}x{window}," if window else ""
         return f"{p['width_px']}x{p['height_px']}, D={p['disparities']},{windows} P={p['pixels_per_clock']}"
 
-    def clock(self) -> Clock | None:
-        routed = self.targets.get("ecp5")
-        if not routed:
+    def clock(self, target: str = "ecp5", shell: bool = False) -> Clock | None:
+        """Of the core, or of the shell around it, where it was placed and routed."""
+        routed = (self.shell_targets if shell else self.targets).get(target)
+        if not routed or "fmax_mhz" not in routed:
             return None
         fmax = routed["fmax_mhz"]
         speed = figures.speed(self.parameters, fmax["median"], figures.lut_count(routed))
-        return {"median": fmax["median"], "best": fmax["best"], "path": routed["critical_path"], **speed}
+        return {
+            "median": fmax["median"],
+            "best": fmax["best"],
+            "seeds": len(fmax["by_seed"]),
+            "path": routed["critical_path"],
+            **speed,
+        }

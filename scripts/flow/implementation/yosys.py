@@ -2,87 +2,33 @@
 """Area of the core on an FPGA family, by yosys."""
 
 import json
+import os
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
+from ..base import venv
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import find_yosys, run
+from ..base.tools import Say, Word, find_tool, run
 from .record import Area
+from .targets import REQUIREMENTS, TOP, Target
 
-TOP = "stereo_core"  # of every configuration: names can move the figures
-# Before each target's own script, which looks at the design module by module and turns `-1 - x` into a carry chain;
-# constants folded first make it an inverter. On `tiny` this took 293 of 1,315 MISTRAL_ALUT_ARITH away; on the
-# other families, with -abc9, it changes next to nothing.
-GENERIC = f"hierarchy -top {TOP}; proc; flatten; opt -full"
-
-# Cyclone V's own script folds constants of adders less well: this took another sixth of the carry cells of
-# ambrosch2007.
-FOLDED = f"{GENERIC}; wreduce; peepopt; opt_clean; alumacc; opt_expr -fine; opt_clean"
+PACKAGE = "pyosys"
+PROGRAM = Path(__file__).with_name("yosys_program.py")
 
 
-@dataclass(frozen=True)
-class Target:
-    """One FPGA family. `luts`: how many look-up tables a cell takes, by the beginning of its name."""
-
-    name: str
-    synthesis: str
-    map_memories: str  # the step of the synthesis that turns memories into RAM; map_ffram makes flip-flops of the rest
-    lut_name: str
-    luts: dict[str, int]
-    ffs: tuple[str, ...]
-    block_rams: tuple[str, ...]
-    device: str | None = None  # only where the result is placed and routed
-    prepare: str = GENERIC
-
-
-TARGETS = {
-    target.name: target
-    for target in (
-        # A carry cell takes both LUTs of its half slice. A 16x4 RAM takes 4 LUTs in two slices for its data and the 2
-        # LUTs of a third slice for its write port; nextpnr counts the same ("RAM LUTs", "RAMW LUTs"). PFUMX and L6MUX21
-        # are multiplexers beside the LUTs.
-        Target(
-            "ecp5",
-            f"synth_ecp5 -abc9 -top {TOP}",
-            "map_ram",
-            "LUT4",
-            {"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6},
-            ("TRELLIS_FF",),
-            ("DP16KD",),
-            "LFE5U-85F-8BG756",
-        ),
-        # An inverter that is left over takes an ALUT. One MISTRAL_MLAB is 32x1 bits, the memory of one ALUT.
-        Target(
-            "cyclonev",
-            f"synth_intel_alm -family cyclonev -top {TOP}",
-            "map_bram",
-            "ALUT",
-            {"MISTRAL_ALUT": 1, "MISTRAL_NOT": 1, "MISTRAL_MLAB": 1},
-            ("MISTRAL_FF",),
-            ("MISTRAL_M10K",),
-            prepare=FOLDED,
-        ),
-        # LUT6. CARRY4 and MUXF7/8 stand beside the LUTs. INV is counted, though a later tool may fold some of them.
-        Target(
-            "xc7",
-            f"synth_xilinx -abc9 -family xc7 -top {TOP} -flatten",
-            "map_memory",
-            "LUT6",
-            {"LUT": 1, "INV": 1, "RAM32M": 4, "RAM64M": 4, "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4, "SRL": 1},
-            ("FDRE", "FDSE", "FDCE", "FDPE"),
-            ("RAMB18E1", "RAMB36E1"),
-        ),
-    )
-}
+def find_yosys(say: Say = print) -> list[Word]:
+    """The command: YOSYS if set, else the pinned one, which is installed when it is not there yet."""
+    if os.environ.get("YOSYS"):
+        return [find_tool("yosys", "YOSYS")]
+    return [venv.ensure("venv", REQUIREMENTS, PACKAGE, say) / "python3", "-P", PROGRAM]
 
 
 def version() -> str:
-    text = run([find_yosys(), "-V"])
+    text = run([*find_yosys(), "-V"])
     match = re.match(r"Yosys \S+", text)
     if not match:
         raise FlowError("yosys -V does not say its version as yosys does", EXIT_TOOL_FAILED)
-    return match.group()
+    return match.group() if os.environ.get("YOSYS") else f"{match.group()} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
 def script(target: Target) -> str:
@@ -108,7 +54,7 @@ def synthesize(target: Target, verilog: str, work: Path) -> tuple[Area, list[str
     """Runs yosys in the folder `work`. Returns the area, and the names of memories that became flip-flops."""
     (work / f"{TOP}.v").write_text(verilog)
     (work / "synthesis.ys").write_text(script(target))
-    run([find_yosys(), "-s", "synthesis.ys"], cwd=work, log=work / "yosys.log")
+    run([*find_yosys(), "-s", "synthesis.ys"], cwd=work, log=work / "yosys.log")
     try:
         cells = json.loads((work / "stat.json").read_text())["modules"]["\\" + TOP]["num_cells_by_type"]
         memories = read_memories((work / "memories.txt").read_text())
@@ -117,6 +63,8 @@ def synthesize(target: Target, verilog: str, work: Path) -> tuple[Area, list[str
         raise FlowError(
             f"yosys wrote no usable statistics ({error}); see {work / 'yosys.log'}", EXIT_TOOL_FAILED
         ) from None
+    # Those with a $ say where instances were, no more.
+    cells = {name: count for name, count in cells.items() if not name.startswith("$")}
     return area(target, cells, sum(memories.values()), bool(lost)), sorted(lost)
 
 

@@ -10,7 +10,7 @@ from ..base.tools import ROOT
 from ..cosim.record import Run
 from ..implementation import figures
 from ..implementation.results import Configuration
-from ..implementation.yosys import TARGETS
+from ..implementation.targets import FAMILIES, ROUTED, TARGETS
 from ..synthesis.manifest import with_use
 from .published import PAPER, PUBLISHED, SYSTEMS
 
@@ -26,6 +26,7 @@ def page() -> str:
     return TEXT.read_text().format(
         per_clock=per_clock_table(shown),
         speed=speed_table(shown),
+        shell=shell_table(shown),
         area=area_table(shown),
         comparison=table(*comparison(shown)),
         systems=table(*systems()),
@@ -54,32 +55,97 @@ def per_clock_table(configurations: Iterable[Configuration]) -> str:
 def area_table(configurations: Iterable[Configuration]) -> str:
     rows = []
     for c in configurations:
-        for name in TARGETS:
+        for name, family in FAMILIES.items():
             result = c.targets.get(name)
-            values = [UNKNOWN] * 3
+            values = [UNKNOWN] * 4
             if result:
-                luts = f"{number(figures.lut_count(result))} {TARGETS[name].lut_name}"
-                values = [luts, number(result["ffs"]), number(result["block_rams"])]
+                luts = f"{number(figures.lut_count(result))} {family.lut_name}"
+                values = [luts, number(result.get("lut_sites")), number(result["ffs"]), number(result["block_rams"])]
             rows.append([code(c.name), name, *values, code(f"scripts/implement.py --config {c.name} --target {name}")])
-    return table(["configuration", "family", "look-up tables", "flip-flops", "block RAMs", "printed by"], rows)
+    head = ["configuration", "family", "look-up tables", "LUT sites, routed", "flip-flops", "block RAMs", "printed by"]
+    return table(head, rows)
 
 
 def speed_table(configurations: Iterable[Configuration]) -> str:
-    head = ["configuration", "MHz, median", "MHz, best seed", "frames a second", "Mde/s"]
+    head = ["configuration", "device", "MHz", "of", "MHz, best seed", "frames a second", "Mde/s", "Mde/s, outputs only"]
     head += ["thousand evaluations/s per LUT", "slowest path", "printed by"]
     rows = []
     for c in configurations:
-        clock, values = c.clock(), [UNKNOWN] * 6
-        if clock:
-            values = [
+        for target in ROUTED:
+            clock, values = c.clock(target), [UNKNOWN] * 8
+            if clock:
+                values = [
+                    number(clock["median"], 1),
+                    figures.counted(clock["seeds"]),
+                    number(clock["best"], 1),
+                    number(clock["frames_per_second"]),
+                    number(clock["mde_per_second"]),
+                    number(clock["output_mde_per_second"]),
+                    number(clock["evaluations_per_second_per_lut"] / 1e3),
+                    f"{code(clock['path']['from'])} to {code(clock['path']['to'])}",
+                ]
+            elif target != "ecp5":
+                continue
+            command = f"scripts/implement.py --config {c.name} --target {target}"
+            rows.append([code(c.name), TARGETS[target].short, *values, code(command)])
+    return table(head, rows)
+
+
+def shell_table(configurations: Iterable[Configuration]) -> str:
+    """The core alone and in its AXI shell, where both were routed."""
+    head = ["configuration", "device", "MHz, core", "of", "MHz, shell", "of", "shell to core", "frames a second, core"]
+    head += ["frames a second, shell", "LUT4, core", "LUT4, shell", "printed by"]
+    rows = []
+    for c in configurations:
+        for target in ROUTED:
+            core, shell = c.clock(target), c.clock(target, shell=True)
+            if not core or not shell:
+                continue
+            rows.append(
+                [
+                    code(c.name),
+                    TARGETS[target].short,
+                    number(core["median"], 1),
+                    figures.counted(core["seeds"]),
+                    number(shell["median"], 1),
+                    figures.counted(shell["seeds"]),
+                    f"{100 * shell['median'] / core['median']:.0f} %",
+                    number(core["frames_per_second"]),
+                    number(shell["frames_per_second"]),
+                    number(figures.lut_count(c.targets[target])),
+                    number(figures.lut_count(c.shell_targets[target])),
+                    code(f"scripts/implement.py --config {c.name} --shell --target {target}"),
+                ]
+            )
+    return table(head, rows) if rows else "Not measured yet."
+
+
+def routed_configurations() -> list[Configuration]:
+    """All with a clock on ECP5, grade 8."""
+    every = (Configuration(name, stale_is_none=True) for name in rtl.known_configurations())
+    return [c for c in every if c.clock()]
+
+
+def one_number_table(configurations: Iterable[Configuration]) -> str:
+    """One number for all: evaluations a second per LUT, W*H*D each frame."""
+    head = ["configuration", "MHz", "of", "LUT4", "LUT sites", "evaluations/s per LUT", "outputs only"]
+    rows = []
+    for c in configurations:
+        clock, area = c.clock(), c.targets["ecp5"]
+        if not clock:
+            continue
+        luts = figures.lut_count(area)
+        rows.append(
+            [
+                code(c.name),
                 number(clock["median"], 1),
-                number(clock["best"], 1),
-                number(clock["frames_per_second"]),
-                number(clock["mde_per_second"]),
-                number(clock["evaluations_per_second_per_lut"] / 1e3),
-                f"{code(clock['path']['from'])} to {code(clock['path']['to'])}",
+                figures.counted(clock["seeds"]),
+                number(luts),
+                number(area["lut_sites"]),
+                number(clock["evaluations_per_second_per_lut"]),
+                number(clock["output_mde_per_second"] * 1e6 / luts),
             ]
-        rows.append([code(c.name), *values, code(f"scripts/implement.py --config {c.name} --target ecp5")])
+        )
     return table(head, rows)
 
 
@@ -150,18 +216,18 @@ def compared(run: Run | None) -> str:
 def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
     """The systems that the paper compares itself with, and this core as they were. `make`: configuration of a name."""
     head = ["system", "platform", "point", "its frames a second", "published in", "this core", "clocks a frame"]
-    head += ["register bits", "memory bits", "compared in GHDL", "compared in Verilator", "LUT4", "ALUTs"]
-    head.append("frames a second on ECP5")
+    head += ["register bits", "memory bits", "compared in GHDL", "compared in Verilator", "LUT4", "LUT sites", "ALUTs"]
+    head += ["frames a second on ECP5", "of"]
     rows = []
     for system in SYSTEMS:
         name, fps = system.configuration, system.frames_per_second
         start = [system.name, system.platform, system.point, UNKNOWN if fps is None else f"{fps:g}", system.source]
         start.append(code(name) if name else "not done yet")
         if name is None or name not in rtl.known_configurations():
-            rows.append([*start, *[UNKNOWN] * 8])
+            rows.append([*start, *[UNKNOWN] * 10])
             continue
         c = make(name)
-        area = c.targets.get("ecp5")
+        area, clock = c.targets.get("ecp5"), c.clock()
         rows.append(
             [
                 *start,
@@ -170,8 +236,10 @@ def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
                 number(c.manifest["tool_report"]["memory_bits"]),
                 *(compared(c.cosimulations.get(simulator)) for simulator in ("ghdl", "verilator")),
                 number(figures.lut_count(area)) if area else UNKNOWN,
+                number(area.get("lut_sites")) if area else UNKNOWN,
                 _aluts(c),
                 _routed_speed(c)[0],
+                figures.counted(clock["seeds"]) if clock else UNKNOWN,
             ]
         )
     return head, rows

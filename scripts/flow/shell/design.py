@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import cast
 
 from ..base import rtl
+from ..base.tools import ROOT
 from ..synthesis import manifest
 
 RTL = rtl.HAND_WRITTEN
@@ -32,6 +33,11 @@ def vhdl_files(config: str) -> list[Path]:
 def shell_files(folder: Path | None = None) -> list[Path]:
     """`folder`: another one than the project's."""
     return [(folder or RTL) / f"{name}.vhd" for name in SHELL]
+
+
+def digests() -> manifest.Digests:
+    """{file: SHA-256} of what stands around every core."""
+    return {path.relative_to(ROOT).as_posix(): manifest.digest(path) for path in shell_files()}
 
 
 def library_files(configs: Iterable[str]) -> list[Path]:
