@@ -12,9 +12,10 @@ namespace stereo::semi_global::configurations {
 // tiny: small enough for every tool to finish in seconds.
 STEREO_ROW(tiny_sgm, tiny, Config(), width_px = 40, height_px = 12, disparities = 12, slice_disparities = 5);
 
-// planned: the recommended options at the sizes of today. Their VHDL is not made yet: docs/semi_global.md.
-STEREO_ROW(sgm_450, planned, Config(), width_px = 450, height_px = 375, disparities = 64, reference = Reference::left,
+// system: the recommended options.
+STEREO_ROW(sgm_450, system, Config(), width_px = 450, height_px = 375, disparities = 64, reference = Reference::left,
            median = true, slice_disparities = 16);
+// planned: larger ones, whose VHDL is not made yet: docs/semi_global.md.
 // Costs of single pixels: fewer look-up tables for each disparity, for a little more error (docs/quality.md).
 STEREO_ROW(sgm_640, planned, sgm_450, width_px = 640, height_px = 480, disparities = 128, window_px = 1,
            census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);

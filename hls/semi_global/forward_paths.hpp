@@ -61,43 +61,40 @@ struct ForwardPaths {
 
    HLS_INLINE void clock(const PathEntry<C>& entry) {
       const bool move = entry.tag.valid;
-      add(entry.moves_costs);
-      if constexpr (C.path_left) left.clock(entry.moves_left, smallest.root(), first[kLevels - 1], cost[0]);
+      add(move);
+      if constexpr (C.path_left) left.clock(move, smallest.root(), first[kLevels - 1], cost[0]);
       if constexpr (C.path_above) above.clock(entry);
-      if constexpr (kHasSmallest) keep_costs(entry);
+      if constexpr (kHasSmallest) keep_costs(move, entry);
       HLS_UNROLL
       for (int age = kMoves - 1; age > 0; --age) first[age] = select<bool>(move, first[age - 1], first[age]);
       first[0] = select<bool>(move, entry.tag.first_column, first[0]);
    }
 
   private:
-   template <class Move>
-   HLS_INLINE void add(const Move& moves) {
+   HLS_INLINE void add(bool move) {
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          ForwardSum<C> total = 0;
          if constexpr (C.path_left) total = ForwardSum<C>(total + left.cost[d]);
          if constexpr (C.path_above) total = ForwardSum<C>(total + above.cost[d]);
-         sum[d] = select<ForwardSum<C>>(moves.lane(d), total & kMask, sum[d]);
+         sum[d] = select<ForwardSum<C>>(move, total & kMask, sum[d]);
       }
    }
 
-   HLS_INLINE void keep_costs(const PathEntry<C>& entry) {
-      const bool move = entry.tag.valid;
-      const auto& moves = entry.moves_costs;
+   HLS_INLINE void keep_costs(bool move, const PathEntry<C>& entry) {
       HLS_UNROLL
       for (int age = kMoves - kLevels - 1; age > 0; --age)
          smallest_cost[age] = select<PathCost<C>>(move, smallest_cost[age - 1], smallest_cost[age]);
       smallest_cost[0] = select<PathCost<C>>(move, smallest.root(), smallest_cost[0]);
-      smallest.clock(entry.cost, moves);
+      smallest.clock(entry.cost, move);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          HLS_UNROLL
          for (int age = kCostMoves - 1; age > 0; --age)
-            cost[age][d] = select<PathCost<C>>(moves.lane(d), cost[age - 1][d], cost[age][d]);
-         cost[0][d] = select<PathCost<C>>(moves.lane(d), cost_delay.lane(d), cost[0][d]);
+            cost[age][d] = select<PathCost<C>>(move, cost[age - 1][d], cost[age][d]);
+         cost[0][d] = select<PathCost<C>>(move, cost_delay.lane(d), cost[0][d]);
       }
-      cost_delay.clock(entry.cost, moves);
+      cost_delay.clock(entry.cost, move);
    }
 
    static constexpr ForwardSum<C> kMask = ForwardSum<C>((uint64_t(1) << bits_for(C.largest_forward_sum())) - 1);

@@ -81,27 +81,26 @@ struct PathAbove {
 
    HLS_INLINE void clock(const PathEntry<C>& entry) {
       const bool move = entry.tag.valid;
-      const auto& moves = entry.moves_above;
       Word stored[Pack::kWords];
       memory.read(entry.next_column, stored);
       memory.write(write_column, write_words);
-      pass_on(moves);
+      pass_on(move);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d)
-         cost[d] = select<Value>(moves.lane(d), Value(delay.lane(d) - smallest.get(d)) & kMask, cost[d]);
-      smallest.move(moves, tree.root());
-      tree.clock(total, moves);
-      delay.clock(total, moves);
+         cost[d] = select<Value>(move, Value(delay.lane(d) - smallest.get(d)) & kMask, cost[d]);
+      smallest.move(move, tree.root());
+      tree.clock(total, move);
+      delay.clock(total, move);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          const State from_above = select<State>(ready_top, C.p2, Pack::lane(ready_words, d));
-         total[d] = select<Value>(moves.lane(d), Value(from_above + ready_cost[d]), total[d]);
-         ready_cost[d] = select<PathCost<C>>(moves.lane(d), entry.cost[d], ready_cost[d]);
+         total[d] = select<Value>(move, Value(from_above + ready_cost[d]), total[d]);
+         ready_cost[d] = select<PathCost<C>>(move, entry.cost[d], ready_cost[d]);
       }
       ready_top = select<bool>(move, entry.top, ready_top);
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) {
-         ready_words[w] = select<Word>(moves.lane(w * Pack::kPerWord), read_words[w], ready_words[w]);
+         ready_words[w] = select<Word>(move, read_words[w], ready_words[w]);
          read_words[w] = stored[w];
       }
       HLS_UNROLL
@@ -116,24 +115,23 @@ struct PathAbove {
    static constexpr Value kMask = Value((uint64_t(1) << kTotalBits) - 1);
 
    /// Three moves: neighbours, penalty, minimum.
-   template <class Move>
-   HLS_INLINE void pass_on(const Move& moves) {
+   HLS_INLINE void pass_on(bool move) {
       State lanes[kCount];
       Word packed[Pack::kWords];
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) lanes[d] = State(select<Passed>(step[d] < stay[d], step[d], stay[d]));
       Pack::pack(lanes, packed);
-      const bool writes = moves.lane(0) && comes[kMoves + 1];
+      const bool writes = move && comes[kMoves + 1];
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) write_words[w] = select<Word>(writes, packed[w], write_words[w]);
       write_column = select<uint16_t>(writes, column[kMoves + 1], write_column);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
-         step[d] = select<Passed>(moves.lane(d), Passed(beside[d] + C.p1), step[d]);
-         stay[d] = select<State>(moves.lane(d), State(select<Value>(own[d] > C.p2, C.p2, own[d])), stay[d]);
+         step[d] = select<Passed>(move, Passed(beside[d] + C.p1), step[d]);
+         stay[d] = select<State>(move, State(select<Value>(own[d] > C.p2, C.p2, own[d])), stay[d]);
          const Value smaller = smaller_of<Value>(cost[d > 0 ? d - 1 : 1], cost[d < kCount - 1 ? d + 1 : kCount - 2]);
-         beside[d] = select<Value>(moves.lane(d), smaller, beside[d]);
-         own[d] = select<Value>(moves.lane(d), cost[d], own[d]);
+         beside[d] = select<Value>(move, smaller, beside[d]);
+         own[d] = select<Value>(move, cost[d], own[d]);
       }
    }
 };

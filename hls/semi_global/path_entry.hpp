@@ -3,7 +3,6 @@
 
 #include "semi_global/config.hpp"
 #include "semi_global/row_order.hpp"
-#include "support/move_fan.hpp"
 
 namespace stereo::semi_global {
 
@@ -24,11 +23,6 @@ struct PathEntry {
    // clock 2
    PathCost<C> cost[C.disparities];
    PixelTag tag;
-   // tag.valid for what each block has of every disparity
-   MoveFan<C.disparities, 0> moves_costs;
-   MoveFan<C.disparities, decltype(moves_costs)::kEnd> moves_left;
-   MoveFan<C.disparities, decltype(moves_left)::kEnd> moves_above;
-   MoveFan<C.disparities, decltype(moves_above)::kEnd> moves_right;
    uint16_t column;
    bool top;
    uint16_t place;   ///< order.address
@@ -45,10 +39,6 @@ struct PathEntry {
       visit("order", order);
       visit("cost", cost);
       visit("tag", tag);
-      visit("moves_costs", moves_costs);
-      visit("moves_left", moves_left);
-      visit("moves_above", moves_above);
-      visit("moves_right", moves_right);
       visit("column", column);
       visit("top", top);
       visit("place", place);
@@ -60,10 +50,6 @@ struct PathEntry {
       HLS_UNROLL
       for (int d = 0; d < C.disparities; ++d) cost[d] = next_cost[d];
       tag = next_tag;
-      moves_costs.clock(next_tag.valid);
-      moves_left.clock(next_tag.valid);
-      moves_above.clock(next_tag.valid);
-      moves_right.clock(next_tag.valid);
       column = next_column;
       top = next_top;
       place = order.address;

@@ -131,18 +131,17 @@ struct TurnedSums {
       }
       tag = tags.out();
       tags.clock(move, entry.turned);
-      const auto& moves = entry.moves_right;
-      right.clock(moves, turn.ready_smallest[0], turn.ready_first, cost[1]);
+      right.clock(move, turn.ready_smallest[0], turn.ready_first, cost[1]);
       if constexpr (kHasSums) {
          typename SumDelay::Lane lanes[kCount];
          HLS_UNROLL
          for (int d = 0; d < kCount; ++d) lanes[d] = Turn::Sums::lane(turn.ready_sums, d);
-         sum_delay.clock(lanes, moves);
+         sum_delay.clock(lanes, move);
       }
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
-         cost[1][d] = select<PathCost<C>>(moves.lane(d), cost[0][d], cost[1][d]);
-         cost[0][d] = select<PathCost<C>>(moves.lane(d), Turn::Costs::lane(turn.ready_costs, d), cost[0][d]);
+         cost[1][d] = select<PathCost<C>>(move, cost[0][d], cost[1][d]);
+         cost[0][d] = select<PathCost<C>>(move, Turn::Costs::lane(turn.ready_costs, d), cost[0][d]);
       }
       turn.clock(entry, forward);
    }

@@ -65,21 +65,18 @@ struct RowPath {
    }
 
    /// smallest_in, first_in: of a column, whose costs are costs_in two moves later.
-   template <class Move>
-   HLS_INLINE void clock(const Move& moves, PathCost<C> smallest_in, bool first_in,
-                         const PathCost<C> (&costs_in)[kCount]) {
-      const bool move = moves.lane(0);
+   HLS_INLINE void clock(bool move, PathCost<C> smallest_in, bool first_in, const PathCost<C> (&costs_in)[kCount]) {
       const Value lowest = tree.root();
-      tree.clock(pair, moves);
-      scan(moves);
+      tree.clock(pair, move);
+      scan(move);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          const Value c = costs_in[d];
-         stay_change[d] = select<Value>(moves.lane(d), Value(c - g.get(d)) & kMask, stay_change[d]);
-         step_change[d] = select<Value>(moves.lane(d), Value(c - g_less.get(d)) & kMask, step_change[d]);
+         stay_change[d] = select<Value>(move, Value(c - g.get(d)) & kMask, stay_change[d]);
+         step_change[d] = select<Value>(move, Value(c - g_less.get(d)) & kMask, step_change[d]);
       }
-      g.move(moves, Value(smallest + start_cost[0]) & kMask);
-      g_less.move(moves, Value(smallest_less + start_cost[0]) & kMask);
+      g.move(move, Value(smallest + start_cost[0]) & kMask);
+      g_less.move(move, Value(smallest_less + start_cost[0]) & kMask);
       find_start(move, lowest, first_in);
       smallest = select<PathCost<C>>(move, smallest_in, smallest);
       smallest_less = select<Value>(move, Value(smallest_in - C.p1) & kMask, smallest_less);
@@ -90,8 +87,7 @@ struct RowPath {
 
   private:
    /// K and A of the next column, and the pairs of this one.
-   template <class Move>
-   HLS_INLINE void scan(const Move& moves) {
+   HLS_INLINE void scan(bool move) {
       Value step[kCount], next_cost[kCount], next_arrived[kCount];
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
@@ -111,12 +107,12 @@ struct RowPath {
                               : left == 2               ? smaller_of<Value>(cost[kCount - 2], cost[kCount - 1])
                               : left == 3 && i % 2 == 1 ? cost[kCount - 2]
                                                         : step[at < kCount ? at : 0];
-         pair[i] = select<Value>(moves.lane(2 * i), lowest, pair[i]);
+         pair[i] = select<Value>(move, lowest, pair[i]);
       }
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
-         cost[d] = select<Value>(moves.lane(d), next_cost[d], cost[d]);
-         arrived[d] = select<Value>(moves.lane(d), next_arrived[d], arrived[d]);
+         cost[d] = select<Value>(move, next_cost[d], cost[d]);
+         arrived[d] = select<Value>(move, next_arrived[d], arrived[d]);
       }
    }
 

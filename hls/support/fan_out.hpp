@@ -6,8 +6,8 @@
 namespace stereo {
 
 /// Copies of a register, each for `Span` of `Count` readers, so that it does not have to reach all of them in one
-/// clock. The compiler would join registers that start and continue alike, so these start with different numbers. The
-/// VHDL says no starting values: there, a synthesiser may still join them.
+/// clock. Every tool joins registers that are always the same; these start with different numbers, and no tool can know
+/// that nobody reads them before the first write.
 template <class Value, int Count, int Span = 16>
 struct FanOut {
    static constexpr int kCopies = (Count + Span - 1) / Span;
@@ -27,10 +27,9 @@ struct FanOut {
    /// For reader number `index`.
    HLS_INLINE Value get(int index) const { return copy[index / Span]; }
 
-   template <class Move>
-   HLS_INLINE void move(const Move& move, Value value) {
+   HLS_INLINE void move(bool moves, Value value) {
       HLS_UNROLL
-      for (int i = 0; i < kCopies; ++i) copy[i] = select<Value>(move.lane(i * Span), value, copy[i]);
+      for (int i = 0; i < kCopies; ++i) copy[i] = select<Value>(moves, value, copy[i]);
    }
 
   private:

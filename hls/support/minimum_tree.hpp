@@ -30,14 +30,13 @@ struct MinimumTree {
       visit("next", next);
    }
 
-   template <class Move>
-   HLS_INLINE void clock(const Value (&values)[N], const Move& move) {
+   HLS_INLINE void clock(const Value (&values)[N], bool move) {
       next.clock(smallest, move);
       HLS_UNROLL
       for (int i = 0; i < kWinners; ++i) {
          const Value winner =
              2 * i + 1 < N ? smaller_of<Value>(values[2 * i], values[2 * i + 1 < N ? 2 * i + 1 : 0]) : values[2 * i];
-         smallest[i] = select<Value>(move.lane(2 * i), winner, smallest[i]);
+         smallest[i] = select<Value>(move, winner, smallest[i]);
       }
    }
 
@@ -53,8 +52,7 @@ struct MinimumTree<Value, 1> {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor&) {}
-   template <class Move>
-   HLS_INLINE void clock(const Value (&)[1], const Move&) {}
+   HLS_INLINE void clock(const Value (&)[1], bool) {}
 };
 
 }  // namespace stereo

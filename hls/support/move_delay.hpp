@@ -33,13 +33,12 @@ struct MoveDelay {
 
    HLS_INLINE Lane lane(int index) const { return Pack::lane(held, index); }
 
-   template <class Move>
-   HLS_INLINE void clock(const Lane (&lanes)[Lanes], const Move& move) {
+   HLS_INLINE void clock(const Lane (&lanes)[Lanes], bool move) {
       Word newest[Pack::kWords], oldest[Pack::kWords];
       Pack::pack(lanes, newest);
-      ring.clock(newest, move.lane(0), oldest);
+      ring.clock(newest, move, oldest);
       HLS_UNROLL
-      for (int w = 0; w < Pack::kWords; ++w) held[w] = select<Word>(move.lane(w * Pack::kPerWord), oldest[w], held[w]);
+      for (int w = 0; w < Pack::kWords; ++w) held[w] = select<Word>(move, oldest[w], held[w]);
    }
 };
 

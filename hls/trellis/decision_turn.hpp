@@ -64,7 +64,7 @@ struct DecisionTurn {
       }
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d)
-         ready_decision[d] = select<uint8_t>(entry.moves_right.lane(d), Pack::lane(read_words, d), ready_decision[d]);
+         ready_decision[d] = select<uint8_t>(move, Pack::lane(read_words, d), ready_decision[d]);
       HLS_UNROLL
       for (int w = 0; w < Pack::kWords; ++w) read_words[w] = stored[w];
       write_place = select<uint16_t>(writes, place[kWriteMoves - 1], write_place);

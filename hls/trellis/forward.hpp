@@ -54,7 +54,7 @@ struct Forward {
    }
 
    HLS_INLINE void clock(const Entry& entry) {
-      const auto& moves = entry.moves_costs;
+      const bool move = entry.tag.valid;
       Value best[kCount];
       bool is_far[kCount];
       HLS_UNROLL
@@ -70,22 +70,22 @@ struct Forward {
          best[d] = select<Value>(gap_wins, gap, here);
          const uint8_t drop = select<uint8_t>(far[d], kFarDrop, kNearDrop);
          const uint8_t kept = select<uint8_t>(drops, drop, kStay);
-         decision[d] = select<uint8_t>(moves.lane(d), select<uint8_t>(gap_wins, kOccluded, kept), decision[d]);
+         decision[d] = select<uint8_t>(move, select<uint8_t>(gap_wins, kOccluded, kept), decision[d]);
          const Value fallen = Value(from + pair_cost[d]) & kMask;
-         dropped[d] = select<Value>(moves.lane(d), select<Value>(next_first, kFar, fallen), dropped[d]);
+         dropped[d] = select<Value>(move, select<Value>(next_first, kFar, fallen), dropped[d]);
       }
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          const Value own = select<Value>(next_first, 0, best[d]);
-         far[d] = select<bool>(moves.lane(d), is_far[d] && !next_first, far[d]);
-         path[d] = select<Value>(moves.lane(d), own, path[d]);
-         stayed[d] = select<Value>(moves.lane(d), Value(own + next_cost[d]) & kMask, stayed[d]);
+         far[d] = select<bool>(move, is_far[d] && !next_first, far[d]);
+         path[d] = select<Value>(move, own, path[d]);
+         stayed[d] = select<Value>(move, Value(own + next_cost[d]) & kMask, stayed[d]);
          const Value passed = Value(own + C.occlusion_cost) & kMask;
-         occluding[d] = select<Value>(moves.lane(d), select<Value>(next_first, kFar, passed), occluding[d]);
-         pair_cost[d] = select<Value>(moves.lane(d), Value(next_cost[d] + entry.cost[d] + C.drop_cost), pair_cost[d]);
-         next_cost[d] = select<PathCost<C>>(moves.lane(d), entry.cost[d], next_cost[d]);
+         occluding[d] = select<Value>(move, select<Value>(next_first, kFar, passed), occluding[d]);
+         pair_cost[d] = select<Value>(move, Value(next_cost[d] + entry.cost[d] + C.drop_cost), pair_cost[d]);
+         next_cost[d] = select<PathCost<C>>(move, entry.cost[d], next_cost[d]);
       }
-      next_first = select<bool>(entry.tag.valid, entry.tag.first_column, next_first);
+      next_first = select<bool>(move, entry.tag.first_column, next_first);
    }
 
   private:

@@ -76,22 +76,3 @@ def test_a_netlist_that_differs_from_the_core_is_refused(tmp_path):
 def test_damaged_trace_files_are_refused(tmp_path, damage):
     with pytest.raises(FlowError, match="not a complete 'trace' file"):
         trace(tmp_path, damage(trace_text()))
-
-
-def test_among_registers_with_one_trace_those_around_decide(tmp_path):
-    """Two flags that never rise: one follows the counter, one the late `valid`. A third has nothing around it."""
-    netlist_ = design()
-    counter, _, inverse = netlist_.registers
-
-    def never(source):
-        flag = netlist.Register(f"never_{source.name}", n.leaf("register", f"never_{source.name}", 1), 0)
-        flag.next = n.bit_and(flag.value, n.equal(source.value, n.const(1)))
-        return flag
-
-    flags = [never(inverse), never(counter)]
-    alone = netlist.Register("alone", n.leaf("register", "alone", 1), 0, n.const(0))
-    netlist_.registers += [*flags, alone]
-    still = (0,) * len(VALID)
-    named(netlist_, trace(tmp_path, trace_text()) | {"count_never": still, "tag_never": still, "x_never": still})
-    assert flags[0].name == "tag_never" and flags[1].name == "count_never"
-    assert alone.name.startswith("other_")

@@ -7,7 +7,6 @@ from flow.synthesis.lowering import expressions as n, netlist
 from flow.synthesis.lowering.cleanup import merge_twins, remove_unused
 from flow.synthesis.lowering.evaluate import compile_step
 from flow.synthesis.lowering.memories import join_memory_slices, narrow_memories
-from flow.synthesis.lowering.readers import narrow_to_read_bits
 
 WIDTHS = {"a": 8, "b": 8, "c": 3, "s": 1, "t": 1}
 
@@ -172,17 +171,3 @@ def test_bits_of_a_memory_that_nobody_reads_are_dropped():
     narrow_memories(design)
     assert (memory.width, memory.write_data) == (5, n.wrap(written, 5))
     assert word.next is memory.data is n.leaf("memory", "m", 5)
-
-
-def test_bits_of_registers_that_nobody_reads_are_dropped():
-    """Two copies of a flag that start with different upper bits become one; a register that is read whole stays."""
-    valid = n.leaf("input", "valid", 1)
-    copies = [netlist.Register(f"r{i}", n.leaf("register", f"r{i}", 8), 2 * i, valid) for i in range(2)]
-    whole = netlist.Register("r2", n.leaf("register", "r2", 8), 6, valid)
-    outputs = {f"o{i}": n.wrap(copy.value, 1) for i, copy in enumerate(copies)} | {"o2": whole.value}
-    design = netlist.Netlist({"valid": valid}, outputs, [*copies, whole])
-    narrow_to_read_bits(design)
-    assert [r.value.width for r in design.registers] == [1, 1, 8]
-    assert [r.initial for r in design.registers] == [0, 0, 6]
-    merge_twins(design)
-    assert len(design.registers) == 2 and design.outputs["o0"] is design.outputs["o1"]

@@ -47,7 +47,6 @@ void expect_path(int bubbles_percent) {
       const int x = next % kStride;
       entry.next_column = next >= 0 && x < kWidth ? uint16_t(x) : uint16_t(random.below(kWidth));
       entry.tag.valid = now >= 0;
-      entry.moves_above.clock(now >= 0);
       const int frame = now / (kRows * kStride), y = now / kStride % kRows, at = now % kStride;
       entry.tag.map_column = now >= 0 ? at < kWidth : random.percent(50);
       entry.top = now >= 0 && y == 0;

@@ -8,7 +8,6 @@
 
 #include "definition/semi_global/reference_model.hpp"
 #include "scene/random.hpp"
-#include "support/move_fan.hpp"
 #include "testing/seed.hpp"
 
 namespace stereo::test {
@@ -76,7 +75,7 @@ void expect_path(int bubbles_percent) {
       semi_global::PathCost<C> costs_in[C.disparities];
       for (int d = 0; d < C.disparities; ++d) costs_in[d] = semi_global::PathCost<C>(older.costs[std::size_t(d)]);
       const int smallest = *std::min_element(now.costs.begin(), now.costs.end());
-      path.clock(OneMove{move}, semi_global::PathCost<C>(smallest), now.first, costs_in);
+      path.clock(move, semi_global::PathCost<C>(smallest), now.first, costs_in);
       if (!move) continue;
       ++moves;
       const int shown = moves - kMoves;

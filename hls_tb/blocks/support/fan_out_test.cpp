@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "scene/random.hpp"
-#include "support/move_fan.hpp"
 #include "testing/seed.hpp"
 
 namespace stereo::test {
@@ -17,13 +16,13 @@ void expect_copies() {
    Copies copies;
    for (int i = 1; i < Copies::kCopies; ++i) EXPECT_NE(copies.copy[i], copies.copy[i - 1]) << "would be joined";
    Random random(test_seed());
-   copies.move(OneMove{true}, Value(7));
+   copies.move(true, Value(7));
    Value shown = 7;
    for (int clock = 0; clock < 100; ++clock) {
       for (int reader = 0; reader < Count; ++reader) ASSERT_EQ(copies.get(reader), shown) << clock << ", " << reader;
       const Value value = Value(random.below(200));
       const bool moves = random.percent(60);
-      copies.move(OneMove{moves}, value);
+      copies.move(moves, value);
       if (moves) shown = value;
    }
 }

@@ -7,7 +7,6 @@
 #include <deque>
 
 #include "scene/random.hpp"
-#include "support/move_fan.hpp"
 #include "testing/seed.hpp"
 
 namespace stereo::test {
@@ -23,7 +22,7 @@ void expect_smallest() {
       uint16_t values[N];
       for (uint16_t& value : values) value = uint16_t(random.percent(20) ? random.below(3) : random.below(65536));
       const bool move = random.percent(70);
-      tree.clock(values, OneMove{move});
+      tree.clock(values, move);
       if (move) {
          expected.push_back(*std::min_element(values, values + N));
          shown = expected.front();

@@ -8,7 +8,6 @@
 
 #include "engines/clocked/heap_memories.hpp"
 #include "scene/random.hpp"
-#include "support/move_fan.hpp"
 #include "testing/seed.hpp"
 
 namespace stereo::test {
@@ -29,7 +28,7 @@ void expect_delay() {
       for (std::size_t lane = 0; lane < Lanes; ++lane)
          record[lane] = lanes[lane] = typename Delay::Lane(random.below(1 << LaneBits));
       const bool move = random.percent(60);
-      delay.clock(lanes, OneMove{move});
+      delay.clock(lanes, move);
       if (move) {
          inside.push_back(record);
          shown = inside.front();

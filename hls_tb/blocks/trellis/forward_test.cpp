@@ -47,7 +47,6 @@ void expect_rows(int bubbles_percent) {
       const int x = moves % kStride, y = moves / kStride;
       const bool move = !random.percent(bubbles_percent), inside = x < kWidth && y < kRows;
       entry.tag.valid = move;
-      entry.moves_costs.clock(move);
       entry.tag.map_column = inside;
       entry.tag.first_column = move ? inside && x == 0 : random.percent(50);
       for (int d = 0; d < C.disparities; ++d)

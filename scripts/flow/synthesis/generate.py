@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..base import rtl
-from ..base.configurations import Configuration, configuration, option, parameters_of
+from ..base.configurations import Configuration, configuration, parameters_of
 from ..base.tools import find_stereo_hls, run
 from . import bambu, manifest
 from .lowering.control import state_sequence
@@ -27,8 +27,7 @@ TRACE_ROWS = 4
 def header(config: str, row: Configuration, tool: str) -> str:
     """`tool`: its name and version."""
     family = row["family"].replace("_", " ")
-    pairs = row["pixels_per_clock"]
-    what = f"{row['description']}, {pairs} pixel pair{'s' if pairs > 1 else ''} a clock"
+    what = f"{row['description']}, {row['pixels_per_clock']} pixel pairs a clock"
     options = ", ".join(row["options"]) or "none"
     return "\n".join(
         [
@@ -62,7 +61,7 @@ def generate(config: str, say: Callable[[str], None] = print, out: Path | None =
     netlist = lower(design)
     trace = _cpp_trace(config, row, tool_run.vhdl.parent)
     run_passes(netlist, design, trace)
-    entity = Entity(rtl.core_entity(config), {name: option(row, name) for name in rtl.GENERICS})
+    entity = Entity(rtl.core_entity(config), {name: _number(row, name) for name in rtl.GENERICS})
     text = VhdlWriter(netlist, header(config, row, tool_run.version), entity).write()
     report: manifest.ToolReport = {
         **tool_run.report,
@@ -73,6 +72,11 @@ def generate(config: str, say: Callable[[str], None] = print, out: Path | None =
         "memory_bits": sum(m.depth * m.width for m in netlist.memories),
     }
     return _write(out or rtl.GENERATED_RTL / row["family"] / config, config, row, text, tool_run, report)
+
+
+def _number(row: Configuration, name: str) -> int:
+    value: int = row[name]  # type: ignore[literal-required]
+    return value
 
 
 def _write(

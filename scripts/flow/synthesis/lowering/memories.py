@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """Passes that give each memory whole words, no wider than what is read, and one register that takes them."""
 
-from .expressions import Node, leaf, shift_right, wrap
+from .expressions import Node, leaf, shift_right, walk, wrap
 from .netlist import Netlist, Register
-from .readers import read_width, readers_of
 
 
 def narrow_memories(netlist: Netlist) -> None:
     """Drops the upper bits of memory words that nobody reads."""
-    readers = readers_of(netlist)
+    nodes = walk(netlist.roots())
     for memory in netlist.memories:
-        width = read_width(readers, memory.data)
-        if width is not None and width < memory.width:
-            narrow = leaf("memory", memory.name, width)
-            netlist.substitute({id(memory.data): narrow})
-            memory.data, memory.width, memory.write_data = narrow, width, wrap(memory.write_data, width)
+        readers = [n for n in nodes if memory.data in n.args]
+        if readers and all(n.op == "wrap" and not n.wrapping[1] for n in readers):
+            width = max(n.wrapping[0] for n in readers)
+            if width < memory.width:
+                narrow = leaf("memory", memory.name, width)
+                netlist.substitute({id(memory.data): narrow})
+                memory.data, memory.width, memory.write_data = narrow, width, wrap(memory.write_data, width)
 
 
 def join_memory_slices(netlist: Netlist) -> None:

@@ -3,17 +3,15 @@
 
 The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register
 is recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls trace` traced the core.
-Where several registers of C++ have one trace, such as flags that never rise in it, the registers around decide.
 The same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
 """
 
-from itertools import takewhile
 from pathlib import Path
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .evaluate import compile_step, initial_state
 from .expressions import bit_not, leaf, walk, wrap
-from .netlist import WORDS, Netlist, Register
+from .netlist import WORDS, Netlist
 
 _UNNAMED = "other_"  # start of the names of registers that hold nothing of the C++ core
 Values = tuple[int, ...]  # one a clock
@@ -107,66 +105,15 @@ def adopt_cpp_values(netlist: Netlist, trace: Trace) -> None:
     netlist.substitute(replacement)
 
 
-def _beside(netlist: Netlist) -> dict[int, list[Register]]:
-    """{id of a register: the registers that it takes its value from, and those that take theirs from it}"""
-    holder = {id(register.value): register for register in netlist.registers}
-    beside: dict[int, list[Register]] = {id(register): [] for register in netlist.registers}
-    for register in netlist.registers:
-        for node in walk([register.next]):
-            source = holder.get(id(node))
-            if source is not None and source is not register:
-                beside[id(register)].append(source)
-                beside[id(source)].append(register)
-    return beside
-
-
-def _common_words(one: str, other: str) -> int:
-    """How many words two names have in common at their beginnings: 2 for rows_tag_valid and rows_tag_column."""
-    pairs = zip(one.split("_"), other.split("_"))
-    return len(list(takewhile(lambda pair: pair[0] == pair[1], pairs)))
-
-
-def _choose(registers: list[Register], names: list[str], beside: dict[int, list[Register]]) -> dict[int, str]:
-    """{id of a register: its name} for registers and names that have the same trace, the clearest pair first. A
-    register gets none when nothing around it has a name of the same block."""
-
-    def likeness(register: Register, name: str) -> int:
-        return sum(_common_words(name, neighbour.name) for neighbour in beside[id(register)])
-
-    chosen: dict[int, str] = {}
-    pairs = [
-        (likeness(register, name), -place, register, name) for register in registers for place, name in enumerate(names)
-    ]
-    for score, _, register, name in sorted(pairs, key=lambda pair: pair[:2], reverse=True):
-        if score > 0 and id(register) not in chosen and name not in chosen.values():
-            chosen[id(register)] = name
-    return chosen
-
-
 def name_registers(netlist: Netlist, trace: Trace) -> None:
     """Renames and orders the registers after the C++ core, and memories after the registers that take their data."""
     names = _names_by_values(trace)
     order = {name: place for place, name in enumerate(trace)}
     arrays = _packed(trace)
     others = 0
-    alike: dict[Values, list[Register]] = {}
-    history = trace_netlist(netlist, trace)
-    for register, values in zip(netlist.registers, history):
-        alike.setdefault(values, []).append(register)
-    chosen = {
-        id(registers[0]): names[values][0]
-        for values, registers in alike.items()
-        if len(registers) == len(names.get(values, [])) == 1
-    }
-    for register in netlist.registers:
-        register.name = chosen.get(id(register), "")
-    beside = _beside(netlist)
-    for values, registers in alike.items():
-        if values in names and id(registers[0]) not in chosen:
-            chosen |= _choose(registers, names[values], beside)
-    for register, values in zip(netlist.registers, history):
-        if id(register) in chosen:
-            register.name = chosen[id(register)]
+    for register, values in zip(netlist.registers, trace_netlist(netlist, trace)):
+        if names.get(values):
+            register.name = names[values].pop(0)
         elif array := _packed_name(arrays, values, register.value.width):
             register.name = array
             order[array] = order[f"{array}_0"]

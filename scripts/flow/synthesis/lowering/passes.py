@@ -10,7 +10,6 @@ from .memories import join_memory_slices, narrow_memories
 from .naming import Trace, adopt_cpp_values, name_registers
 from .netlist import Netlist
 from .ranges import narrow_registers
-from .readers import narrow_to_read_bits
 from .vhdl_reader import Design
 
 
@@ -31,7 +30,6 @@ PASSES = (
     Pass("remove unused", lambda netlist, given: remove_unused(netlist)),
     Pass("narrow memories", lambda netlist, given: narrow_memories(netlist)),
     Pass("join memory slices", lambda netlist, given: join_memory_slices(netlist)),
-    Pass("drop unread bits", lambda netlist, given: narrow_to_read_bits(netlist)),
     Pass("adopt C++ values", lambda netlist, given: adopt_cpp_values(netlist, given.trace)),
     Pass("merge twins", lambda netlist, given: merge_twins(netlist)),
     Pass("name registers", lambda netlist, given: name_registers(netlist, given.trace)),
