@@ -79,5 +79,6 @@ SYSTEMS = [
     System("PARTS", "320x240, D=24, local weighted phase correlation", 42, _TABLE, None, "16 FPGAs"),
     System("Masrani et al.", "640x480, D dynamic, local weighted phase correlation", 30, _TABLE, None, "4 FPGAs"),
     System("OpenCV StereoBM, block 15", "450x375, D=64, checks, subpixel", None, _OURS, "opencv_bm"),
-    System("best trade-off in quality.md", "450x375, D=48, census 9x3, 9x9", None, _OURS, "census_450"),
+    System("best block matching in quality.md", "450x375, D=48, census 9x3, 9x9", None, _OURS, "census_450"),
+    System("semi-global, three paths", "450x375, D=64, census 5x5, 3x3", None, _OURS, "sgm_450"),
 ]
