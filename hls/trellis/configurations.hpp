@@ -20,7 +20,7 @@ STEREO_ROW(trellis_1300, planned, Config(), width_px = 1300, height_px = 640, di
 STEREO_ROW(tiny_trellis_unmarked, option, tiny_trellis, mark_occluded = false);
 STEREO_ROW(tiny_trellis_median, option, tiny_trellis, median = true);
 STEREO_ROW(tiny_trellis_near, option, tiny_trellis, far_drop = 12);
-STEREO_ROW(tiny_trellis_costs, option, tiny_trellis, drop_cost = 0, occlusion_cost = 25, far_drop = 2);
+STEREO_ROW(tiny_trellis_costs, option, tiny_trellis, drop_cost = 0, occlusion_cost = 2, far_drop = 2);
 STEREO_ROW(tiny_trellis_w1, option, tiny_trellis, window_px = 1, census_width_px = 9, cost_shift = 2);
 STEREO_ROW(tiny_trellis_sad, option, tiny_trellis, cost = Cost::sad, cost_shift = 6, cost_cap = 15);
 STEREO_ROW(tiny_trellis_min3, option, tiny_trellis, min_disparity = 3);

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, trellis, configuration tiny_trellis_costs: 40x12, 12 disparities, window 3x3, drop 0 or by 2, occlusion 25, 1 pixel pairs a clock.
--- Options: disparities 12, drop_cost 0, occlusion_cost 25, far_drop 2, slice_disparities 5.
+-- Stereo core, trellis, configuration tiny_trellis_costs: 40x12, 12 disparities, window 3x3, drop 0 or by 2, occlusion 2, 1 pixel pairs a clock.
+-- Options: disparities 12, drop_cost 0, occlusion_cost 2, far_drop 2, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_costs
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -434,18 +434,18 @@ architecture rtl of stereo_core_tiny_trellis_costs is
   signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 26;
   signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 26;
   signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 26;
-  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 1023;
-  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 1023;
-  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 1023;
-  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 1023;
-  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 1023;
-  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 1023;
-  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 1023;
-  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 1023;
-  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 1023;
-  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 1023;
-  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 1023;
-  signal forward_dropped_11 : natural range 0 to 1023;
+  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 511;
+  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 511;
+  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 511;
+  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 511;
+  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 511;
+  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 511;
+  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 511;
+  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 511;
+  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 511;
+  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 511;
+  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 511;
+  signal forward_dropped_11 : natural range 0 to 511;
   signal forward_decision_0 : natural range 0 to 2;
   signal forward_decision_1, forward_decision_2, forward_decision_3, forward_decision_4 : natural range 0 to 3;
   signal forward_decision_5, forward_decision_6, forward_decision_7, forward_decision_8 : natural range 0 to 3;
@@ -463,14 +463,14 @@ architecture rtl of stereo_core_tiny_trellis_costs is
   signal last_tags_held_0_end_of_line, last_tags_held_1_map_column, last_tags_held_1_end_of_line : boolean;
   signal last_tags_held_2_map_column, last_tags_held_2_end_of_line, last_tags_moved, last_tag_valid : boolean;
   signal last_tag_map_column, last_tag_end_of_line : boolean;
-  signal last_path_0_0 : natural range 0 to 512;
-  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 1023;
-  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 1023;
-  signal last_path_0_11 : natural range 0 to 1023;
+  signal last_path_0_0 : natural range 0 to 256;
+  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 511;
+  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 511;
+  signal last_path_0_11 : natural range 0 to 511;
   signal last_state : natural range 0 to 11;
   -- lastwinner1
-  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 1023;
-  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 1023;
+  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 511;
+  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 511;
   signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
   signal lastwinner1_tag_end_of_line : boolean;
   signal lastwinner1_best_index_0_1 : natural range 0 to 3;
@@ -479,13 +479,13 @@ architecture rtl of stereo_core_tiny_trellis_costs is
   signal lastwinner1_best_index_0_4 : natural range 0 to 9;
   signal lastwinner1_best_index_0_5 : natural range 0 to 11;
   -- lastwinner2
-  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 1023;
+  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 511;
   signal lastwinner2_best_index_0_0 : natural range 0 to 3;
   signal lastwinner2_best_index_0_1 : natural range 0 to 7;
   signal lastwinner2_best_index_0_2 : natural range 0 to 11;
   signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
   -- lastwinner3
-  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 1023;
+  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 511;
   signal lastwinner3_best_index_0_0 : natural range 0 to 7;
   signal lastwinner3_best_index_0_1 : natural range 0 to 11;
   signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
@@ -1409,22 +1409,32 @@ begin
     variable forward_path_7_value_2, forward_path_8_value, forward_path_8_all, forward_path_8_value_2 : boolean;
     variable forward_path_9_value, forward_path_9_all, forward_path_9_value_2, forward_path_10_value : boolean;
     variable forward_path_10_all, forward_path_10_value_2, forward_path_11_value, forward_path_11_all : boolean;
-    variable forward_path_11_value_2, forward_dropped_0_value, forward_dropped_1_value : boolean;
-    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
-    variable forward_dropped_5_value, forward_dropped_6_value, forward_dropped_7_value : boolean;
-    variable forward_dropped_8_value, forward_dropped_9_value, forward_far_0_any, forward_far_0_choice : boolean;
-    variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
-    variable forward_far_5_choice, forward_far_6_choice, forward_far_7_choice, forward_far_8_choice : boolean;
-    variable forward_far_9_choice, decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
-    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
-    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
-    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
-    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
-    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal, traceback_state_is_equal_2 : boolean;
-    variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
-    variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
-    variable turn_order_address_all_2, turn_order_address_any, turn_order_address_choice : boolean;
-    variable turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
+    variable forward_path_11_value_2, forward_occluding_0_choice, forward_occluding_1_choice : boolean;
+    variable forward_occluding_1_choice_2, forward_occluding_1_choice_3, forward_occluding_2_choice : boolean;
+    variable forward_occluding_2_choice_2, forward_occluding_2_choice_3, forward_occluding_3_choice : boolean;
+    variable forward_occluding_3_choice_2, forward_occluding_3_choice_3, forward_occluding_4_choice : boolean;
+    variable forward_occluding_4_choice_2, forward_occluding_4_choice_3, forward_occluding_5_choice : boolean;
+    variable forward_occluding_5_choice_2, forward_occluding_5_choice_3, forward_occluding_6_choice : boolean;
+    variable forward_occluding_6_choice_2, forward_occluding_6_choice_3, forward_occluding_7_choice : boolean;
+    variable forward_occluding_7_choice_2, forward_occluding_7_choice_3, forward_occluding_8_choice : boolean;
+    variable forward_occluding_8_choice_2, forward_occluding_8_choice_3, forward_occluding_9_choice : boolean;
+    variable forward_occluding_9_choice_2, forward_occluding_9_choice_3, forward_occluding_10_choice : boolean;
+    variable forward_occluding_10_choice_2, forward_occluding_10_choice_3, forward_dropped_0_value : boolean;
+    variable forward_dropped_1_value, forward_dropped_2_value, forward_dropped_3_value : boolean;
+    variable forward_dropped_4_value, forward_dropped_5_value, forward_dropped_6_value : boolean;
+    variable forward_dropped_7_value, forward_dropped_8_value, forward_dropped_9_value, forward_far_0_any : boolean;
+    variable forward_far_0_choice, forward_far_1_choice, forward_far_2_choice, forward_far_3_choice : boolean;
+    variable forward_far_4_choice, forward_far_5_choice, forward_far_6_choice, forward_far_7_choice : boolean;
+    variable forward_far_8_choice, forward_far_9_choice, decisions_write_words_0_all : boolean;
+    variable lastwinner1_best_cost_0_0_is_less, lastwinner1_best_cost_0_1_is_less : boolean;
+    variable lastwinner1_best_cost_0_2_is_less, lastwinner1_best_cost_0_3_is_less : boolean;
+    variable lastwinner1_best_cost_0_4_is_less, lastwinner1_best_cost_0_5_is_less : boolean;
+    variable lastwinner2_best_cost_0_0_is_less, lastwinner2_best_cost_0_1_is_less : boolean;
+    variable lastwinner2_best_cost_0_2_is_less, lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal : boolean;
+    variable traceback_state_is_equal_2, traceback_state_is_equal_3, traceback_state_all : boolean;
+    variable traceback_decision_value, traceback_decision_value_2, traceback_decision_value_3 : boolean;
+    variable turn_order_address_all, turn_order_address_all_2, turn_order_address_any : boolean;
+    variable turn_order_address_choice, turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable forward_decision_1_choice_3, forward_decision_2_choice_3 : natural range 0 to 3;
     variable forward_decision_3_choice_3, forward_decision_4_choice_3 : natural range 0 to 3;
@@ -1457,32 +1467,32 @@ begin
     variable transform_right_filter_feature_0_choice_193, entry_order_address_choice_3 : natural range 0 to 31;
     variable turn_order_address_choice_4, turn_order_address_choice_6 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
-    variable transform_right_filter_feature_0_choice_194, forward_path_0_choice : natural range 0 to 1023;
-    variable forward_path_0_choice_2, forward_path_1_choice, forward_path_1_choice_2 : natural range 0 to 1023;
-    variable forward_path_1_choice_3, forward_path_1_choice_4, forward_path_2_choice : natural range 0 to 1023;
-    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_2_choice_4 : natural range 0 to 1023;
-    variable forward_path_3_choice, forward_path_3_choice_2, forward_path_3_choice_3 : natural range 0 to 1023;
-    variable forward_path_3_choice_4, forward_path_4_choice, forward_path_4_choice_2 : natural range 0 to 1023;
-    variable forward_path_4_choice_3, forward_path_4_choice_4, forward_path_5_choice : natural range 0 to 1023;
-    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_5_choice_4 : natural range 0 to 1023;
-    variable forward_path_6_choice, forward_path_6_choice_2, forward_path_6_choice_3 : natural range 0 to 1023;
-    variable forward_path_6_choice_4, forward_path_7_choice, forward_path_7_choice_2 : natural range 0 to 1023;
-    variable forward_path_7_choice_3, forward_path_7_choice_4, forward_path_8_choice : natural range 0 to 1023;
-    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_8_choice_4 : natural range 0 to 1023;
-    variable forward_path_9_choice, forward_path_9_choice_2, forward_path_9_choice_3 : natural range 0 to 1023;
-    variable forward_path_9_choice_4, forward_path_10_choice, forward_path_10_choice_2 : natural range 0 to 1023;
-    variable forward_path_10_choice_3, forward_path_10_choice_4, forward_path_11_choice : natural range 0 to 1023;
-    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_path_11_choice_4 : natural range 0 to 1023;
-    variable forward_dropped_0_choice, forward_dropped_1_choice, forward_dropped_2_choice : natural range 0 to 1023;
-    variable forward_dropped_3_choice, forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 1023;
-    variable forward_dropped_6_choice, forward_dropped_7_choice, forward_dropped_8_choice : natural range 0 to 1023;
-    variable forward_dropped_9_choice : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable entry_order_address_choice, turn_order_address_choice_3 : natural range 0 to 7;
     variable entry_order_address_choice_2, turn_order_address_choice_5 : natural range 1 to 31;
+    variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_1_choice_4 : natural range 0 to 511;
+    variable forward_path_2_choice, forward_path_2_choice_2, forward_path_2_choice_3 : natural range 0 to 511;
+    variable forward_path_2_choice_4, forward_path_3_choice, forward_path_3_choice_2 : natural range 0 to 511;
+    variable forward_path_3_choice_3, forward_path_3_choice_4, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_4_choice_4 : natural range 0 to 511;
+    variable forward_path_5_choice, forward_path_5_choice_2, forward_path_5_choice_3 : natural range 0 to 511;
+    variable forward_path_5_choice_4, forward_path_6_choice, forward_path_6_choice_2 : natural range 0 to 511;
+    variable forward_path_6_choice_3, forward_path_6_choice_4, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_7_choice_4 : natural range 0 to 511;
+    variable forward_path_8_choice, forward_path_8_choice_2, forward_path_8_choice_3 : natural range 0 to 511;
+    variable forward_path_8_choice_4, forward_path_9_choice, forward_path_9_choice_2 : natural range 0 to 511;
+    variable forward_path_9_choice_3, forward_path_9_choice_4, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_10_choice_4 : natural range 0 to 511;
+    variable forward_path_11_choice, forward_path_11_choice_2, forward_path_11_choice_3 : natural range 0 to 511;
+    variable forward_path_11_choice_4, forward_dropped_0_choice, forward_dropped_1_choice : natural range 0 to 511;
+    variable forward_dropped_2_choice, forward_dropped_3_choice, forward_dropped_4_choice : natural range 0 to 511;
+    variable forward_dropped_5_choice, forward_dropped_6_choice, forward_dropped_7_choice : natural range 0 to 511;
+    variable forward_dropped_8_choice, forward_dropped_9_choice : natural range 0 to 511;
     variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
     variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
     variable forward_decision_6_choice, forward_decision_7_choice, forward_decision_8_choice : natural range 1 to 2;
@@ -1492,7 +1502,7 @@ begin
     variable forward_decision_5_choice_2, forward_decision_6_choice_2 : natural range 0 to 2;
     variable forward_decision_7_choice_2, forward_decision_8_choice_2 : natural range 0 to 2;
     variable forward_decision_9_choice_2 : natural range 0 to 2;
-    variable last_path_0_2_difference : integer range -511 to 512;
+    variable last_path_0_2_difference : integer range -255 to 256;
     variable traceback_state_sum : natural range 1 to 256;
     variable traceback_state_sum_2 : natural range 1 to 128;
     variable traceback_state_sum_3 : natural range 255 to 510;
@@ -6243,116 +6253,178 @@ begin
         entry_order_inside <= slice0_tag_2_map_column;
       end if;
       -- forward
-      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 1024) / 512) = 1;
+      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
       forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
       forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
-      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 1024) / 512) = 1;
-      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 1024) / 512) = 1)) and
+      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1)) and
         forward_path_1_value;
-      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 1024) / 512) = 1;
+      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
       forward_path_1_choice := forward_dropped_1 when forward_path_1_value_2 else forward_stayed_1;
       forward_path_1_choice_2 := forward_occluding_0 when forward_path_1_value else forward_path_1_choice;
       forward_path_1_choice_3 := forward_path_1_choice when forward_path_1_all else forward_path_1_choice_2;
       forward_path_1_choice_4 := 0 when forward_next_first else forward_path_1_choice_3;
-      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 1024) / 512) = 1;
-      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 1024) / 512) = 1)) and
+      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1)) and
         forward_path_2_value;
-      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 1024) / 512) = 1;
+      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
       forward_path_2_choice := forward_dropped_2 when forward_path_2_value_2 else forward_stayed_2;
       forward_path_2_choice_2 := forward_occluding_1 when forward_path_2_value else forward_path_2_choice;
       forward_path_2_choice_3 := forward_path_2_choice when forward_path_2_all else forward_path_2_choice_2;
       forward_path_2_choice_4 := 0 when forward_next_first else forward_path_2_choice_3;
-      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 1024) / 512) = 1;
-      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 1024) / 512) = 1)) and
+      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1)) and
         forward_path_3_value;
-      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 1024) / 512) = 1;
+      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
       forward_path_3_choice := forward_dropped_3 when forward_path_3_value_2 else forward_stayed_3;
       forward_path_3_choice_2 := forward_occluding_2 when forward_path_3_value else forward_path_3_choice;
       forward_path_3_choice_3 := forward_path_3_choice when forward_path_3_all else forward_path_3_choice_2;
       forward_path_3_choice_4 := 0 when forward_next_first else forward_path_3_choice_3;
-      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 1024) / 512) = 1;
-      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 1024) / 512) = 1)) and
+      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1)) and
         forward_path_4_value;
-      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 1024) / 512) = 1;
+      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
       forward_path_4_choice := forward_dropped_4 when forward_path_4_value_2 else forward_stayed_4;
       forward_path_4_choice_2 := forward_occluding_3 when forward_path_4_value else forward_path_4_choice;
       forward_path_4_choice_3 := forward_path_4_choice when forward_path_4_all else forward_path_4_choice_2;
       forward_path_4_choice_4 := 0 when forward_next_first else forward_path_4_choice_3;
-      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 1024) / 512) = 1;
-      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 1024) / 512) = 1)) and
+      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1)) and
         forward_path_5_value;
-      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 1024) / 512) = 1;
+      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
       forward_path_5_choice := forward_dropped_5 when forward_path_5_value_2 else forward_stayed_5;
       forward_path_5_choice_2 := forward_occluding_4 when forward_path_5_value else forward_path_5_choice;
       forward_path_5_choice_3 := forward_path_5_choice when forward_path_5_all else forward_path_5_choice_2;
       forward_path_5_choice_4 := 0 when forward_next_first else forward_path_5_choice_3;
-      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 1024) / 512) = 1;
-      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 1024) / 512) = 1)) and
+      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1)) and
         forward_path_6_value;
-      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 1024) / 512) = 1;
+      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
       forward_path_6_choice := forward_dropped_6 when forward_path_6_value_2 else forward_stayed_6;
       forward_path_6_choice_2 := forward_occluding_5 when forward_path_6_value else forward_path_6_choice;
       forward_path_6_choice_3 := forward_path_6_choice when forward_path_6_all else forward_path_6_choice_2;
       forward_path_6_choice_4 := 0 when forward_next_first else forward_path_6_choice_3;
-      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 1024) / 512) = 1;
-      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 1024) / 512) = 1)) and
+      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1)) and
         forward_path_7_value;
-      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 1024) / 512) = 1;
+      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
       forward_path_7_choice := forward_dropped_7 when forward_path_7_value_2 else forward_stayed_7;
       forward_path_7_choice_2 := forward_occluding_6 when forward_path_7_value else forward_path_7_choice;
       forward_path_7_choice_3 := forward_path_7_choice when forward_path_7_all else forward_path_7_choice_2;
       forward_path_7_choice_4 := 0 when forward_next_first else forward_path_7_choice_3;
-      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 1024) / 512) = 1;
-      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 1024) / 512) = 1)) and
+      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1)) and
         forward_path_8_value;
-      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 1024) / 512) = 1;
+      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
       forward_path_8_choice := forward_dropped_8 when forward_path_8_value_2 else forward_stayed_8;
       forward_path_8_choice_2 := forward_occluding_7 when forward_path_8_value else forward_path_8_choice;
       forward_path_8_choice_3 := forward_path_8_choice when forward_path_8_all else forward_path_8_choice_2;
       forward_path_8_choice_4 := 0 when forward_next_first else forward_path_8_choice_3;
-      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 1024) / 512) = 1;
-      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 1024) / 512) = 1)) and
+      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1)) and
         forward_path_9_value;
-      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 1024) / 512) = 1;
+      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
       forward_path_9_choice := forward_dropped_9 when forward_path_9_value_2 else forward_stayed_9;
       forward_path_9_choice_2 := forward_occluding_8 when forward_path_9_value else forward_path_9_choice;
       forward_path_9_choice_3 := forward_path_9_choice when forward_path_9_all else forward_path_9_choice_2;
       forward_path_9_choice_4 := 0 when forward_next_first else forward_path_9_choice_3;
-      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 1024) / 512) = 1;
-      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 1024) / 512) = 1)) and
+      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1)) and
         forward_path_10_value;
-      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 1024) / 512) = 1;
+      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
       forward_path_10_choice := forward_dropped_10 when forward_path_10_value_2 else forward_stayed_10;
       forward_path_10_choice_2 := forward_occluding_9 when forward_path_10_value else forward_path_10_choice;
       forward_path_10_choice_3 := forward_path_10_choice when forward_path_10_all else forward_path_10_choice_2;
       forward_path_10_choice_4 := 0 when forward_next_first else forward_path_10_choice_3;
-      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 1024) / 512) = 1;
-      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 1024) / 512) = 1)) and
+      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1)) and
         forward_path_11_value;
-      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 1024) / 512) = 1;
+      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
       forward_path_11_choice := forward_dropped_11 when forward_path_11_value_2 else forward_stayed_11;
       forward_path_11_choice_2 := forward_occluding_10 when forward_path_11_value else forward_path_11_choice;
       forward_path_11_choice_3 := forward_path_11_choice when forward_path_11_all else forward_path_11_choice_2;
       forward_path_11_choice_4 := 0 when forward_next_first else forward_path_11_choice_3;
-      forward_dropped_0_value := (((forward_path_2 - forward_path_1) mod 1024) / 512) = 1;
+      forward_occluding_0_choice := (forward_dropped_0 mod 2) = 1 when forward_path_0_value else (forward_stayed_0 mod
+        2) = 1;
+      forward_occluding_1_choice := (forward_dropped_1 mod 2) = 1 when forward_path_1_value_2 else (forward_stayed_1
+        mod 2) = 1;
+      forward_occluding_1_choice_2 := (forward_occluding_0 mod 2) = 1 when forward_path_1_value else
+        forward_occluding_1_choice;
+      forward_occluding_1_choice_3 := forward_occluding_1_choice when forward_path_1_all else
+        forward_occluding_1_choice_2;
+      forward_occluding_2_choice := (forward_dropped_2 mod 2) = 1 when forward_path_2_value_2 else (forward_stayed_2
+        mod 2) = 1;
+      forward_occluding_2_choice_2 := (forward_occluding_1 mod 2) = 1 when forward_path_2_value else
+        forward_occluding_2_choice;
+      forward_occluding_2_choice_3 := forward_occluding_2_choice when forward_path_2_all else
+        forward_occluding_2_choice_2;
+      forward_occluding_3_choice := (forward_dropped_3 mod 2) = 1 when forward_path_3_value_2 else (forward_stayed_3
+        mod 2) = 1;
+      forward_occluding_3_choice_2 := (forward_occluding_2 mod 2) = 1 when forward_path_3_value else
+        forward_occluding_3_choice;
+      forward_occluding_3_choice_3 := forward_occluding_3_choice when forward_path_3_all else
+        forward_occluding_3_choice_2;
+      forward_occluding_4_choice := (forward_dropped_4 mod 2) = 1 when forward_path_4_value_2 else (forward_stayed_4
+        mod 2) = 1;
+      forward_occluding_4_choice_2 := (forward_occluding_3 mod 2) = 1 when forward_path_4_value else
+        forward_occluding_4_choice;
+      forward_occluding_4_choice_3 := forward_occluding_4_choice when forward_path_4_all else
+        forward_occluding_4_choice_2;
+      forward_occluding_5_choice := (forward_dropped_5 mod 2) = 1 when forward_path_5_value_2 else (forward_stayed_5
+        mod 2) = 1;
+      forward_occluding_5_choice_2 := (forward_occluding_4 mod 2) = 1 when forward_path_5_value else
+        forward_occluding_5_choice;
+      forward_occluding_5_choice_3 := forward_occluding_5_choice when forward_path_5_all else
+        forward_occluding_5_choice_2;
+      forward_occluding_6_choice := (forward_dropped_6 mod 2) = 1 when forward_path_6_value_2 else (forward_stayed_6
+        mod 2) = 1;
+      forward_occluding_6_choice_2 := (forward_occluding_5 mod 2) = 1 when forward_path_6_value else
+        forward_occluding_6_choice;
+      forward_occluding_6_choice_3 := forward_occluding_6_choice when forward_path_6_all else
+        forward_occluding_6_choice_2;
+      forward_occluding_7_choice := (forward_dropped_7 mod 2) = 1 when forward_path_7_value_2 else (forward_stayed_7
+        mod 2) = 1;
+      forward_occluding_7_choice_2 := (forward_occluding_6 mod 2) = 1 when forward_path_7_value else
+        forward_occluding_7_choice;
+      forward_occluding_7_choice_3 := forward_occluding_7_choice when forward_path_7_all else
+        forward_occluding_7_choice_2;
+      forward_occluding_8_choice := (forward_dropped_8 mod 2) = 1 when forward_path_8_value_2 else (forward_stayed_8
+        mod 2) = 1;
+      forward_occluding_8_choice_2 := (forward_occluding_7 mod 2) = 1 when forward_path_8_value else
+        forward_occluding_8_choice;
+      forward_occluding_8_choice_3 := forward_occluding_8_choice when forward_path_8_all else
+        forward_occluding_8_choice_2;
+      forward_occluding_9_choice := (forward_dropped_9 mod 2) = 1 when forward_path_9_value_2 else (forward_stayed_9
+        mod 2) = 1;
+      forward_occluding_9_choice_2 := (forward_occluding_8 mod 2) = 1 when forward_path_9_value else
+        forward_occluding_9_choice;
+      forward_occluding_9_choice_3 := forward_occluding_9_choice when forward_path_9_all else
+        forward_occluding_9_choice_2;
+      forward_occluding_10_choice := (forward_dropped_10 mod 2) = 1 when forward_path_10_value_2 else
+        (forward_stayed_10 mod 2) = 1;
+      forward_occluding_10_choice_2 := (forward_occluding_9 mod 2) = 1 when forward_path_10_value else
+        forward_occluding_10_choice;
+      forward_occluding_10_choice_3 := forward_occluding_10_choice when forward_path_10_all else
+        forward_occluding_10_choice_2;
+      forward_dropped_0_value := (((forward_path_2 - forward_path_1) mod 512) / 256) = 1;
       forward_dropped_0_choice := forward_path_2 when forward_dropped_0_value else forward_path_1;
-      forward_dropped_1_value := (((forward_path_3 - forward_path_2) mod 1024) / 512) = 1;
+      forward_dropped_1_value := (((forward_path_3 - forward_path_2) mod 512) / 256) = 1;
       forward_dropped_1_choice := forward_path_3 when forward_dropped_1_value else forward_path_2;
-      forward_dropped_2_value := (((forward_path_4 - forward_path_3) mod 1024) / 512) = 1;
+      forward_dropped_2_value := (((forward_path_4 - forward_path_3) mod 512) / 256) = 1;
       forward_dropped_2_choice := forward_path_4 when forward_dropped_2_value else forward_path_3;
-      forward_dropped_3_value := (((forward_path_5 - forward_path_4) mod 1024) / 512) = 1;
+      forward_dropped_3_value := (((forward_path_5 - forward_path_4) mod 512) / 256) = 1;
       forward_dropped_3_choice := forward_path_5 when forward_dropped_3_value else forward_path_4;
-      forward_dropped_4_value := (((forward_path_6 - forward_path_5) mod 1024) / 512) = 1;
+      forward_dropped_4_value := (((forward_path_6 - forward_path_5) mod 512) / 256) = 1;
       forward_dropped_4_choice := forward_path_6 when forward_dropped_4_value else forward_path_5;
-      forward_dropped_5_value := (((forward_path_7 - forward_path_6) mod 1024) / 512) = 1;
+      forward_dropped_5_value := (((forward_path_7 - forward_path_6) mod 512) / 256) = 1;
       forward_dropped_5_choice := forward_path_7 when forward_dropped_5_value else forward_path_6;
-      forward_dropped_6_value := (((forward_path_8 - forward_path_7) mod 1024) / 512) = 1;
+      forward_dropped_6_value := (((forward_path_8 - forward_path_7) mod 512) / 256) = 1;
       forward_dropped_6_choice := forward_path_8 when forward_dropped_6_value else forward_path_7;
-      forward_dropped_7_value := (((forward_path_9 - forward_path_8) mod 1024) / 512) = 1;
+      forward_dropped_7_value := (((forward_path_9 - forward_path_8) mod 512) / 256) = 1;
       forward_dropped_7_choice := forward_path_9 when forward_dropped_7_value else forward_path_8;
-      forward_dropped_8_value := (((forward_path_10 - forward_path_9) mod 1024) / 512) = 1;
+      forward_dropped_8_value := (((forward_path_10 - forward_path_9) mod 512) / 256) = 1;
       forward_dropped_8_choice := forward_path_10 when forward_dropped_8_value else forward_path_9;
-      forward_dropped_9_value := (((forward_path_11 - forward_path_10) mod 1024) / 512) = 1;
+      forward_dropped_9_value := (((forward_path_11 - forward_path_10) mod 512) / 256) = 1;
       forward_dropped_9_choice := forward_path_11 when forward_dropped_9_value else forward_path_10;
       forward_decision_0_choice := 2 when forward_far_0 else 1;
       forward_decision_1_choice := 2 when forward_far_1 else 1;
@@ -6422,41 +6494,52 @@ begin
         forward_path_9 <= forward_path_9_choice_4;
         forward_path_10 <= forward_path_10_choice_4;
         forward_path_11 <= forward_path_11_choice_4;
-        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 1024;
-        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 1024;
-        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 1024;
-        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 1024;
-        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 1024;
-        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 1024;
-        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 1024;
-        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 1024;
-        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 1024;
-        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 1024;
-        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 1024;
-        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 1024;
-        forward_occluding_0 <= 256 when forward_next_first else (forward_path_0_choice_2 + 25) mod 1024;
-        forward_occluding_1 <= 256 when forward_next_first else (forward_path_1_choice_4 + 25) mod 1024;
-        forward_occluding_2 <= 256 when forward_next_first else (forward_path_2_choice_4 + 25) mod 1024;
-        forward_occluding_3 <= 256 when forward_next_first else (forward_path_3_choice_4 + 25) mod 1024;
-        forward_occluding_4 <= 256 when forward_next_first else (forward_path_4_choice_4 + 25) mod 1024;
-        forward_occluding_5 <= 256 when forward_next_first else (forward_path_5_choice_4 + 25) mod 1024;
-        forward_occluding_6 <= 256 when forward_next_first else (forward_path_6_choice_4 + 25) mod 1024;
-        forward_occluding_7 <= 256 when forward_next_first else (forward_path_7_choice_4 + 25) mod 1024;
-        forward_occluding_8 <= 256 when forward_next_first else (forward_path_8_choice_4 + 25) mod 1024;
-        forward_occluding_9 <= 256 when forward_next_first else (forward_path_9_choice_4 + 25) mod 1024;
-        forward_occluding_10 <= 256 when forward_next_first else (forward_path_10_choice_4 + 25) mod 1024;
-        forward_dropped_0 <= 256 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 1024;
-        forward_dropped_1 <= 256 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 1024;
-        forward_dropped_2 <= 256 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 1024;
-        forward_dropped_3 <= 256 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 1024;
-        forward_dropped_4 <= 256 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 1024;
-        forward_dropped_5 <= 256 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 1024;
-        forward_dropped_6 <= 256 when forward_next_first else (forward_pair_cost_6 + forward_dropped_6_choice) mod 1024;
-        forward_dropped_7 <= 256 when forward_next_first else (forward_pair_cost_7 + forward_dropped_7_choice) mod 1024;
-        forward_dropped_8 <= 256 when forward_next_first else (forward_pair_cost_8 + forward_dropped_8_choice) mod 1024;
-        forward_dropped_9 <= 256 when forward_next_first else (forward_pair_cost_9 + forward_dropped_9_choice) mod 1024;
-        forward_dropped_10 <= 256 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 1024;
-        forward_dropped_11 <= 256 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 1024;
+        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 512;
+        forward_occluding_0 <= 128 when forward_next_first else ((((forward_path_0_choice_2 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_0_choice));
+        forward_occluding_1 <= 128 when forward_next_first else ((((forward_path_1_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_1_choice_3));
+        forward_occluding_2 <= 128 when forward_next_first else ((((forward_path_2_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_2_choice_3));
+        forward_occluding_3 <= 128 when forward_next_first else ((((forward_path_3_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_3_choice_3));
+        forward_occluding_4 <= 128 when forward_next_first else ((((forward_path_4_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_4_choice_3));
+        forward_occluding_5 <= 128 when forward_next_first else ((((forward_path_5_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_5_choice_3));
+        forward_occluding_6 <= 128 when forward_next_first else ((((forward_path_6_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_6_choice_3));
+        forward_occluding_7 <= 128 when forward_next_first else ((((forward_path_7_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_7_choice_3));
+        forward_occluding_8 <= 128 when forward_next_first else ((((forward_path_8_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_8_choice_3));
+        forward_occluding_9 <= 128 when forward_next_first else ((((forward_path_9_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_9_choice_3));
+        forward_occluding_10 <= 128 when forward_next_first else ((((forward_path_10_choice_4 / 2) + 1) mod 256) * 2) +
+          as_number(((not forward_next_first) and forward_occluding_10_choice_3));
+        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_dropped_6_choice) mod 512;
+        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_dropped_7_choice) mod 512;
+        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_dropped_8_choice) mod 512;
+        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_dropped_9_choice) mod 512;
+        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
+        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
         forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
         forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_all else forward_decision_1_choice_3;
         forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_all else forward_decision_2_choice_3;
@@ -6541,21 +6624,21 @@ begin
         last_tags_held_2_map_column <= last_tags_held_1_map_column;
         last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
       end if;
-      last_path_0_2_difference := 512 - forward_path_0;
+      last_path_0_2_difference := 256 - forward_path_0;
       last_tags_moved <= entry_tag_valid;
-      last_path_0_0 <= 512;
-      last_path_0_1 <= ((((((forward_path_1 / 512) + 1) mod 2) * 512) + (forward_path_1 mod 512)) - forward_path_0) mod
-        1024;
-      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 1024;
-      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 1024;
-      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 1024;
-      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 1024;
-      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 1024;
-      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 1024;
-      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 1024;
-      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 1024;
-      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 1024;
-      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 1024;
+      last_path_0_0 <= 256;
+      last_path_0_1 <= ((((((forward_path_1 / 256) + 1) mod 2) * 256) + (forward_path_1 mod 256)) - forward_path_0) mod
+        512;
+      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 512;
+      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 512;
+      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 512;
+      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 512;
+      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 512;
+      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 512;
+      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 512;
+      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 512;
+      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 512;
+      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 512;
       last_tag_valid <= last_tags_moved;
       last_tag_map_column <= last_tags_held_2_map_column;
       last_tag_end_of_line <= last_tags_held_2_end_of_line;

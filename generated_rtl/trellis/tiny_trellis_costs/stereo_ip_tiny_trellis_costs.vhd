@@ -64,7 +64,7 @@ begin
       latency_clocks => 27,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"06bba06a",
+      core_id => x"f273ce60",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
