@@ -5,7 +5,7 @@ still fits."""
 import hashlib
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import TypedDict
@@ -149,18 +149,28 @@ def design(entry: Manifest) -> Digests:
     return entry["cells"] | {"structure": entry["structure"]}
 
 
-def vhdl_files(directory: Path) -> list[Path]:
-    """The VHDL of one core in compile order, each file checked against its digest. `directory`: a folder of
-    generated_rtl/, or a copy of it."""
+def _named_files(directory: Path) -> Mapping[Path, str]:
+    """{path: digest} in compile order."""
     entry = read(directory)
-    expected = {ROOT / name: value for name, value in entry["cells"].items()}
-    expected |= {directory / name: value for name, value in entry["files"].items()}
     if not entry["files"]:
         raise FlowError(f"damaged manifest {directory / 'manifest.json'}: it names no VHDL file")
+    expected = {ROOT / name: value for name, value in entry["cells"].items()}
+    return expected | {directory / name: value for name, value in entry["files"].items()}
+
+
+def edited_files(directory: Path) -> list[str]:
+    """VHDL that is not what the manifest says."""
+    return [str(path) for path, value in _named_files(directory).items() if path.is_file() and digest(path) != value]
+
+
+def vhdl_files(directory: Path, allow_edited: bool = False) -> list[Path]:
+    """The VHDL of one core in compile order, each file checked against its digest. `directory`: a folder of
+    generated_rtl/, or a copy of it."""
+    expected = _named_files(directory)
     for path, value in expected.items():
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
-        if digest(path) != value:
+        if digest(path) != value and not allow_edited:
             raise FlowError(f"{path} differs from its manifest; it was edited by hand, or the manifest is damaged")
     return list(expected)
 
