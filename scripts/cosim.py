@@ -34,10 +34,10 @@ def main() -> int:
         action="store_true",
         help="only configurations that have not passed into --out before with the same VHDL, model, tools and options",
     )
-    parser.add_argument("--left", type=Path, help="left image of the rectified pair (default: a generated scene)")
-    parser.add_argument("--right", type=Path, help="right image")
-    parser.add_argument("--stimulus", type=Path, help="a stimulus.txt of one's own instead of images")
-    parser.add_argument("--expected", type=Path, help="its expected.txt")
+    parser.add_argument("--left", type=path, help="left image of the rectified pair (default: a generated scene)")
+    parser.add_argument("--right", type=path, help="right image")
+    parser.add_argument("--stimulus", type=path, help="a stimulus.txt of one's own instead of images")
+    parser.add_argument("--expected", type=path, help="its expected.txt")
     parser.add_argument(
         "--rows",
         metavar="A:B|N",
@@ -62,18 +62,18 @@ def main() -> int:
         "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
     )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
-    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
+    parser.add_argument("--rtl", type=path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
     parser.add_argument(
         "--allow-edited", action="store_true", help="take VHDL that differs from its manifest, for experiments"
     )
     parser.add_argument(
         "--out",
-        type=Path,
+        type=path,
         help="where reports go (default build/cosim/CONFIG-SIMULATOR; of several build/cosim/regression)",
     )
     parser.add_argument(
         "--wave",
-        type=Path,
+        type=path,
         metavar="FILE",
         help=".ghw, .fst or .vcd (ghdl), .fst (verilator) around the first mismatch",
     )
@@ -101,6 +101,12 @@ def main() -> int:
     if options.record:
         record.keep(report)
     return job.exit_code(report)
+
+
+def path(text: str) -> Path:
+    if not text:  # else it would be the current folder
+        raise ValueError
+    return Path(text)
 
 
 def _check(options: argparse.Namespace) -> None:

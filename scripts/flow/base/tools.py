@@ -81,7 +81,10 @@ def tool_version(program: str) -> str:
 
 def first_error(lines: Iterable[str]) -> str | None:
     """The line of a tool's messages that says what is wrong; what follows are places and consequences."""
-    return next((line.strip() for line in lines if re.search(r"\b(error|fatal)\b", line, re.IGNORECASE)), None)
+    sign = re.compile(
+        r"\b(error|fatal)\b|^\S+:\d+:\d+: ", re.IGNORECASE
+    )  # or FILE:LINE:COLUMN: without a word, as GHDL
+    return next((line.strip() for line in lines if sign.search(line) and "warning" not in line.lower()), None)
 
 
 def run(command: Iterable[Word], cwd: Path | None = None, log: Path | None = None, passes_errors: bool = False) -> str:
