@@ -122,6 +122,8 @@ def _check(options: argparse.Namespace) -> None:
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
     if options.jobs < 1:
         raise FlowError("--jobs must be at least 1")
+    if options.record and options.broken:
+        raise FlowError("--record keeps results of whole frames and rows: no --broken")
     if options.frames < 1:
         raise FlowError("--frames must be at least 1")
     if options.broken < 0:
