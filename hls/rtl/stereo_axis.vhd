@@ -24,7 +24,7 @@
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted; a clock after frame_ends
 --   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
--- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 4) words of (disparity_bits + 1) * P + 3 bits.
+-- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3 bits.
 -- Generics: those of the core.
 library ieee;
 use ieee.std_logic_1164.all;
@@ -78,7 +78,7 @@ architecture rtl of stereo_axis is
   constant pixel_bits : positive := 8 * pixels_per_clock;
   constant map_bits : positive := disparity_bits * pixels_per_clock;
   constant word_bits : positive := map_bits + pixels_per_clock + 3;
-  constant credits : positive := latency_clocks + 4;
+  constant credits : positive := latency_clocks + 5;
 
   signal reset, clear, restart : std_logic;
   signal halted : std_logic := '0';  -- no frame has begun in this clock
@@ -90,8 +90,10 @@ architecture rtl of stereo_axis is
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
   signal core_in_reset, shows, result : std_logic;
+  signal queues : std_logic := '0';  -- `queued` is a result: a clock later, for whether its frame is whole comes late
+  signal queued : std_logic_vector(word_bits - 1 downto 0);
   signal frame_error, ends, entering, leaving : std_logic;
-  signal result_word, word : std_logic_vector(word_bits - 1 downto 0);
+  signal word : std_logic_vector(word_bits - 1 downto 0);
   signal word_valid, taken : std_logic;
 begin
   reset <= not aresetn;
@@ -142,13 +144,10 @@ begin
       clock => aclk, reset => clear, starts => starts, start_slot => not entering, ends => ends, end_slot => leaving,
       clocks => frame_clocks);
 
-  result_word <=
-    frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
-
   queue : entity work.stream_fifo
     generic map (depth => credits, width => word_bits)
     port map (
-      clock => aclk, reset => reset, in_valid => result, in_data => result_word,
+      clock => aclk, reset => reset, in_valid => queues, in_data => queued,
       out_valid => word_valid, out_ready => m_axis_tready, out_data => word);
 
   credit : entity work.stream_credit
@@ -172,6 +171,9 @@ begin
   begin
     if rising_edge(aclk) then
       halted <= soft_reset;
+      queues <= result and not reset;
+      queued <=
+        frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
       core_in_reset <= clear;
       frame_ends <= ends and not clear;
       frame_ends_broken <= ends and frame_error and not clear;

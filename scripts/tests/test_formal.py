@@ -39,7 +39,7 @@ FAULTS = {
     "a reset leaves a word": ("stream_register", "spare_valid <= '0';", "null;"),
     "a word comes twice": ("stream_fifo", "read_address <= following(read_address);", "null;"),
     "a word is written over": ("stream_fifo", "return address + 1;", "return address;"),
-    "a word stays in the memory": ("stream_fifo", "stored /= 0 and", "stored > 1 and"),
+    "a word stays in the memory": ("stream_fifo", "or (stored = 1 and not leaves)", "or false"),
     "a beat changes while it waits": ("stream_fifo", "(shows = '0' or out_ready = '1')", "true"),
     "one credit too many": ("stream_credit", "lent = words - 1", "lent = words"),
     "a full queue is forgotten": ("stream_credit", "(change = 0 and lent = words)", "false"),
