@@ -4541,8 +4541,8 @@ begin
         sums_turn_comes_0 <= entry_tag_map_column;
         sums_turn_comes_1 <= sums_turn_comes_0;
         sums_turn_comes_2 <= sums_turn_comes_1;
-        sums_turn_comes_3 <= sums_tags_held_2_map_column;
-        sums_turn_comes_4 <= sums_turn_comes_3;
+        sums_turn_comes_3 <= sums_turn_comes_2;
+        sums_turn_comes_4 <= sums_tags_held_3_map_column;
         sums_turn_comes_5 <= sums_turn_comes_4;
         sums_turn_comes_6 <= sums_turn_comes_5;
         sums_turn_comes_7 <= sums_turn_comes_6;
@@ -4669,11 +4669,11 @@ begin
         sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
         sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
         sums_tags_held_2_end_of_line <= sums_tags_held_1_end_of_line;
-        sums_tags_held_3_map_column <= sums_turn_comes_2;
+        sums_tags_held_3_map_column <= sums_tags_held_2_map_column;
         sums_tags_held_3_output_column <= sums_tags_held_2_output_column;
         sums_tags_held_3_start_of_frame <= sums_tags_held_2_start_of_frame;
         sums_tags_held_3_end_of_line <= sums_tags_held_2_end_of_line;
-        sums_tags_held_4_map_column <= sums_tags_held_3_map_column;
+        sums_tags_held_4_map_column <= sums_turn_comes_3;
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;

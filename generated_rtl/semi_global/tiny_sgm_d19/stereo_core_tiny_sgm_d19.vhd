@@ -807,19 +807,19 @@ architecture rtl of stereo_core_tiny_sgm_d19 is
   signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 18;
-  signal winners_best_tag_map_column, winners_best_tag_output_column, winners_best_tag_end_of_line : boolean;
+  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
+  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 31;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
-  signal turn_order_held_output, turn_order_turned_output_column, turn_order_turned_start_of_frame : boolean;
-  signal turn_order_turned_end_of_line, turn_comes, turn_read_tag_output_column, turn_read_tag_start_of_frame : boolean;
-  signal turn_read_tag_end_of_line, turn_ready_tag_output_column, turn_ready_tag_start_of_frame : boolean;
+  signal turn_order_held_output, turn_order_turned_valid, turn_order_turned_output_column : boolean;
+  signal turn_order_turned_start_of_frame, turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid : boolean;
+  signal turn_read_tag_output_column, turn_read_tag_start_of_frame, turn_read_tag_end_of_line : boolean;
+  signal turn_ready_tag_valid, turn_ready_tag_output_column, turn_ready_tag_start_of_frame : boolean;
   signal turn_ready_tag_end_of_line : boolean;
   signal turn_newest, turn_write_words_0 : natural range 0 to 274;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
-  -- other
-  signal other_0, other_1, other_2, other_3, other_4 : boolean;
   signal sums_sum_delay_held_4_memory_write_data : unsigned(20 downto 0);
   signal sums_sum_delay_held_3_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
@@ -861,9 +861,9 @@ begin
   in_left_pixel <= to_integer(unsigned(left_pixel));
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 32), 8));
   pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
-  disparity_valid <= as_bit(other_4 and turn_ready_tag_output_column);
-  disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and other_4 and turn_ready_tag_output_column);
-  disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and other_4 and turn_ready_tag_output_column);
+  disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
+  disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
+  disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
 
   sums_sum_delay_held_4_memory_write_data <= to_unsigned(sums_turn_ready_sums_4, 21);
   sums_sum_delay_held_4_memory : entity work.line_memory
@@ -5765,7 +5765,7 @@ begin
         slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_address_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_order_first and entry_order_complete and entry_order_output;
+        and entry_next_top and entry_order_complete and entry_order_output;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -5790,25 +5790,25 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_next_top;
+      entry_top <= entry_order_first;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
       if entry_order_address_all_2 then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
+      end if;
+      if entry_order_address_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
       if not entry_order_inside then
         entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
-      end if;
-      if entry_order_address_all then
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_first <= slice0_tag_2_start_of_frame;
-        entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -7513,16 +7513,18 @@ begin
       winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- winners
       winners_best_index_0_0 <= winnerswinner3_best_index_0_0;
+      winners_best_tag_valid <= winnerswinner3_tag_valid;
       winners_best_tag_map_column <= winnerswinner3_tag_map_column;
       winners_best_tag_output_column <= winnerswinner3_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner3_tag_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and other_1;
+      turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := winners_best_tag_map_column and other_1;
+      turn_order_address_all_2 := winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_address_choice_2 := 31 when turn_order_falls else 1;
       turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not winners_best_tag_map_column) or (not other_1);
+      turn_order_complete_any := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
       turn_order_turned_output_column_all := turn_order_complete and turn_order_output;
       turn_order_turned_output_column_choice := winners_best_tag_map_column when turn_order_address_all else
         turn_order_held_output and winners_best_tag_map_column;
@@ -7530,42 +7532,39 @@ begin
         + turn_order_address) mod 32;
       turn_order_complete <= turn_order_complete or turn_order_address_all_2 when winners_best_tag_end_of_line else
         turn_order_complete and turn_order_complete_any;
+      turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice when
         turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
         winners_best_tag_map_column;
-      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and other_1 and
-        turn_order_first and turn_order_complete and turn_order_output;
+      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
+        winners_best_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
       turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
       turn_comes <= turn_order_address_all_2;
+      turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
       turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
+      turn_ready_tag_valid <= turn_read_tag_valid;
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
       if not turn_order_inside then
         turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
       end if;
-      if other_1 then
+      if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;
       if turn_order_address_all then
         turn_order_output <= winners_best_tag_output_column;
-        turn_order_first <= other_0;
+        turn_order_first <= winners_best_tag_start_of_frame;
         turn_order_held_output <= turn_order_turned_output_column_all;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
       end if;
-      -- other
-      other_0 <= winnerswinner3_tag_start_of_frame;
-      other_1 <= winnerswinner3_tag_valid;
-      other_2 <= other_1;
-      other_3 <= other_2;
-      other_4 <= other_3;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -7681,12 +7680,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
+        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
-        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
@@ -7783,8 +7782,10 @@ begin
         winnerswinner3_tag_output_column <= false;
         winnerswinner3_tag_start_of_frame <= false;
         winnerswinner3_tag_end_of_line <= false;
+        winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;
+        winners_best_tag_start_of_frame <= false;
         winners_best_tag_end_of_line <= false;
         turn_order_address <= 0;
         turn_order_falls <= false;
@@ -7793,22 +7794,20 @@ begin
         turn_order_output <= false;
         turn_order_first <= false;
         turn_order_held_output <= false;
+        turn_order_turned_valid <= false;
         turn_order_turned_output_column <= false;
         turn_order_turned_start_of_frame <= false;
         turn_order_turned_end_of_line <= false;
         turn_comes <= false;
+        turn_read_tag_valid <= false;
         turn_read_tag_output_column <= false;
         turn_read_tag_start_of_frame <= false;
         turn_read_tag_end_of_line <= false;
         turn_write_place <= 0;
+        turn_ready_tag_valid <= false;
         turn_ready_tag_output_column <= false;
         turn_ready_tag_start_of_frame <= false;
         turn_ready_tag_end_of_line <= false;
-        other_0 <= false;
-        other_1 <= false;
-        other_2 <= false;
-        other_3 <= false;
-        other_4 <= false;
       end if;
     end if;
   end process;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 31,
       flush_groups => 242,
       gap_groups => 0,
-      core_id => x"bd7a25a2",
+      core_id => x"5057295b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

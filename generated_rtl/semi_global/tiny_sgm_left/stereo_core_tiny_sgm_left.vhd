@@ -629,8 +629,8 @@ architecture rtl of stereo_core_tiny_sgm_left is
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
-  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_start_of_frame : boolean;
-  signal winners_best_tag_end_of_line : boolean;
+  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
+  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 31;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
@@ -642,8 +642,6 @@ architecture rtl of stereo_core_tiny_sgm_left is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
-  -- other
-  signal other_0 : boolean;
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -4575,7 +4573,7 @@ begin
         slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_address_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_order_first and entry_order_complete and entry_order_output;
+        and entry_next_top and entry_order_complete and entry_order_output;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4593,25 +4591,25 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_next_top;
+      entry_top <= entry_order_first;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
       if entry_order_address_all_2 then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
+      end if;
+      if entry_order_address_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
       if not entry_order_inside then
         entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
-      end if;
-      if entry_order_address_all then
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_first <= slice0_tag_2_start_of_frame;
-        entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -5801,6 +5799,7 @@ begin
       winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
       winners_best_tag_valid <= winnerswinner2_tag_valid;
       winners_best_tag_map_column <= winnerswinner2_tag_map_column;
+      winners_best_tag_output_column <= winnerswinner2_tag_output_column;
       winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
@@ -5842,7 +5841,7 @@ begin
         turn_order_inside <= winners_best_tag_map_column;
       end if;
       if turn_order_address_all then
-        turn_order_output <= other_0;
+        turn_order_output <= winners_best_tag_output_column;
         turn_order_first <= winners_best_tag_start_of_frame;
         turn_order_held_output <= turn_order_turned_output_column_all;
       end if;
@@ -5850,8 +5849,6 @@ begin
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
       end if;
-      -- other
-      other_0 <= winnerswinner2_tag_output_column;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -5965,12 +5962,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
+        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
-        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
@@ -6080,6 +6077,7 @@ begin
         winnerswinner2_tag_end_of_line <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
+        winners_best_tag_output_column <= false;
         winners_best_tag_start_of_frame <= false;
         winners_best_tag_end_of_line <= false;
         turn_order_address <= 0;
@@ -6103,7 +6101,6 @@ begin
         turn_ready_tag_output_column <= false;
         turn_ready_tag_start_of_frame <= false;
         turn_ready_tag_end_of_line <= false;
-        other_0 <= false;
       end if;
     end if;
   end process;
