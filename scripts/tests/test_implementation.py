@@ -54,10 +54,12 @@ def test_line_memories_are_ram(name):
 
 @pytest.mark.parametrize("name", CONFIGURATIONS)
 def test_flip_flops_are_about_the_registers(name):
-    """More would be memory in flip-flops; fewer, a core that was optimised away."""
+    """More would be memory in flip-flops; fewer, a core that was optimised away. Block RAMs have output registers of
+    their own, up to 36 bits each."""
     register_bits = manifest.read(rtl.folder(name))["tool_report"]["register_bits"]
     for target, result in committed(name)["targets"].items():
-        assert 0.8 * register_bits <= result["ffs"] <= 1.1 * register_bits + 300, f"{name} on {target}"
+        in_rams = 36 * result["block_rams"]
+        assert 0.8 * register_bits - in_rams <= result["ffs"] <= 1.1 * register_bits + 300, f"{name} on {target}"
 
 
 def test_fewer_aluts_than_the_paper():
