@@ -36,11 +36,16 @@ stereo_result stereo_check(const stereo_device *device) {
 
 const char *stereo_text(stereo_result result) {
    switch (result) {
-      case STEREO_OK: return "ok";
-      case STEREO_NO_STEREO_IP: return "no stereo_ip at this address";
-      case STEREO_OTHER_VERSION: return "stereo_ip of another version";
-      case STEREO_OTHER_CORE: return "stereo_ip of another configuration";
-      case STEREO_NO_ANSWER: return "the reset did not end";
+      case STEREO_OK:
+         return "ok";
+      case STEREO_NO_STEREO_IP:
+         return "no stereo_ip at this address";
+      case STEREO_OTHER_VERSION:
+         return "stereo_ip of another version";
+      case STEREO_OTHER_CORE:
+         return "stereo_ip of another configuration";
+      case STEREO_NO_ANSWER:
+         return "the reset did not end";
    }
    return "unknown result";
 }
@@ -55,7 +60,8 @@ stereo_size stereo_read_size(const stereo_device *device) {
    result.width_px = field(size, STEREO_SIZE_WIDTH_PX_MASK, STEREO_SIZE_WIDTH_PX_SHIFT);
    result.height_px = field(size, STEREO_SIZE_HEIGHT_PX_MASK, STEREO_SIZE_HEIGHT_PX_SHIFT);
    result.disparities = field(matching, STEREO_MATCHING_DISPARITIES_MASK, STEREO_MATCHING_DISPARITIES_SHIFT);
-   result.pixels_per_clock = field(matching, STEREO_MATCHING_PIXELS_PER_CLOCK_MASK, STEREO_MATCHING_PIXELS_PER_CLOCK_SHIFT);
+   result.pixels_per_clock =
+       field(matching, STEREO_MATCHING_PIXELS_PER_CLOCK_MASK, STEREO_MATCHING_PIXELS_PER_CLOCK_SHIFT);
    result.output_width_px = field(map, STEREO_MAP_OUTPUT_WIDTH_PX_MASK, STEREO_MAP_OUTPUT_WIDTH_PX_SHIFT);
    result.disparity_bits = field(map, STEREO_MAP_DISPARITY_BITS_MASK, STEREO_MAP_DISPARITY_BITS_SHIFT);
    return result;

@@ -5,6 +5,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* How registers are reached: memory-mapped, through a bridge, or in a simulation. Offsets are in bytes. */
 typedef struct {
    uint32_t (*read)(void *context, uint32_t offset);
@@ -48,5 +52,9 @@ uint32_t stereo_frame_clocks(const stereo_device *device);  /* of the last frame
 
 /* The bits STEREO_STATUS_..._MASK of the errors since the last call, and clears them. */
 uint32_t stereo_take_errors(const stereo_device *device);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
