@@ -37,7 +37,9 @@ def text(subject: Subject) -> str:
         name=name(subject),
         constants="\n".join(f"  constant {key} : integer := {value};" for key, value in constants.items()),
         signals="\n".join(
-            f"  signal {port.name} : {port.kind} := {_zero(port.kind)};" for port in subject.ports if port.name != "aclk"
+            f"  signal {port.name} : {port.kind} := {_zero(port.kind)};"
+            for port in subject.ports
+            if port.name != "aclk"
         ),
         ports=", ".join(f"{name} => {name}" for name in ports).replace(", s_axis_tvalid", ",\n      s_axis_tvalid"),
         checks="\n".join(_check(*known) for known in subject.register_values().items()),
