@@ -34,7 +34,7 @@ def check_component(files, kit, config):
         described[texts(port, "x:name")[0]] = (way, int(high[0]) + 1 if high else None)
     assert described == top.ports
     assert set(texts(component, ".//x:physicalPort/x:name")) == set(top.ports)
-    assert {name for name in texts(component, "x:model//x:moduleParameter/x:name")} == top.generics
+    assert set(texts(component, "x:model//x:moduleParameter/x:name")) == top.generics
     assert [Path(name) for name in texts(component, ".//x:file/x:name")][:-1] == [
         Path(name) for name in files[contents.ORDER].split()
     ]

@@ -47,8 +47,9 @@ FAULTS = [  # (file, what, instead, what the test says)
     ("stereo_driver.c", " & STEREO_STATUS_CLEARED_BY_1", "", "busy is one"),
     (
         "stereo_driver.c",
-        "control | STEREO_CONTROL_SOFT_RESET_MASK",
-        "(control ^ 1u) | STEREO_CONTROL_SOFT_RESET_MASK",
+        "OFFSET, control | ",
+        "OFFSET, (control ^ 1u) | " | "OFFSET, control | ",
+        "OFFSET, (control ^ 1u) | ",
         "changes enable",
     ),
     ("stereo_driver.c", "return STEREO_NO_ANSWER;", "return STEREO_OK;", "does not end is not noticed"),

@@ -43,7 +43,7 @@ def check_vivado(kit):
     buses = arguments(found, "ipx::associate_bus_interfaces", "-busif")
     assert len(buses) == 3
     for bus, *rest in buses:
-        assert any(port.startswith(f"{bus}_t") or port.startswith(f"{bus}_aw") for port in top.ports), bus
+        assert any(port.startswith((f"{bus}_t", f"{bus}_aw")) for port in top.ports), bus
         assert rest[0] == "-clock" and rest[1] in top.ports
     [[clock, _, reset, _]] = arguments(found, "ipx::associate_bus_interfaces", "-clock")
     assert clock in top.ports and reset in top.ports

@@ -4,9 +4,9 @@
 from typing import cast
 
 from ..base.configurations import option
-from ..shell import registers
+from ..shell import registers, template
 from .fill import fill
-from .subject import Subject
+from .subject import CLOCK, Subject
 
 MOVED_PX = 2  # of the left image, from the lowest disparity on
 NOT_CHECKED = -1
@@ -29,7 +29,6 @@ def _moved(subject: Subject) -> dict[str, int]:
 def text(subject: Subject) -> str:
     sizes = ("width_px", "height_px", "pixels_per_clock", "output_width_px", "disparity_bits")
     constants = {size: subject.generics[size] for size in sizes} | _moved(subject)
-    ports = {port.name: port.name for port in subject.ports}
     return fill(
         "tb_stereo.vhd",
         config=subject.config,
@@ -37,11 +36,9 @@ def text(subject: Subject) -> str:
         name=name(subject),
         constants="\n".join(f"  constant {key} : integer := {value};" for key, value in constants.items()),
         signals="\n".join(
-            f"  signal {port.name} : {port.kind} := {_zero(port.kind)};"
-            for port in subject.ports
-            if port.name != "aclk"
+            f"  signal {port.name} : {port.kind} := {_zero(port.kind)};" for port in subject.ports if port.name != CLOCK
         ),
-        ports=", ".join(f"{name} => {name}" for name in ports).replace(", s_axis_tvalid", ",\n      s_axis_tvalid"),
+        dut=template.instance("dut", subject.top, {}, {port.name: port.name for port in subject.ports}),
         checks="\n".join(_check(*known) for known in subject.register_values().items()),
         frames=f"{_offset('frames'):#04x}"[2:],
     )

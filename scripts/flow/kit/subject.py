@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a kit is about: one configuration, its top and the bus interfaces of that. All of it follows from manifest.json."""
+"""What a kit is about: one configuration, its top and the bus interfaces of that, all from manifest.json."""
 
 import re
 from pathlib import Path

@@ -22,9 +22,7 @@ architecture sim of @{name} is
 begin
   aclk <= not aclk after 5 ns when not finished else '0';
 
-  dut : entity work.@{top}
-    port map (
-      @{ports});
+@{dut}
 
   watchdog : process (aclk)
   begin
