@@ -3,27 +3,16 @@
 """Writes the VHDL that puts a core between AXI4-Streams, stereo_ip_NAME, or an instance of it to be pasted, or a folder
 with all that a vendor's tool wants of it."""
 
-import argparse
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files, rtl
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import megahertz
 from flow.kit import constraints, contents, write
 from flow.shell import template
 from flow.synthesis import manifest
-
-
-def clock(text: str) -> float:
-    """MHz of a clock that an FPGA can have."""
-    try:
-        mhz = float(text)
-    except ValueError:
-        mhz = 0
-    if not 0.1 <= mhz <= 2000:
-        raise argparse.ArgumentTypeError(f"'{text}' is no number from 0.1 to 2000")
-    return mhz
 
 
 def main() -> int:
@@ -32,7 +21,7 @@ def main() -> int:
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
     what.add_argument("--kit", choices=contents.TOOLS, help="a folder for this tool")
-    parser.add_argument("--mhz", type=clock, help="clock in the constraints of a kit (default 100)")
+    parser.add_argument("--mhz", type=megahertz, help="clock in the constraints of a kit (default 100)")
     parser.add_argument("--out", type=Path, help="file to write (default: standard output); of a kit: a new folder")
     options = parser.parse_args()
     if options.kit:

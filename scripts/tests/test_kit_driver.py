@@ -63,7 +63,7 @@ def test_the_model_notices_a_fault(gcc, tmp_path, file, what, instead, said):
 
 
 def test_driver_on_the_vhdl(gcc, ghdl, verilator, tmp_path):
-    """Frames go through the top of a kit in Verilator meanwhile. Then again with a driver that does not clear errors."""
+    """Frames go through the top of a kit in Verilator meanwhile. Then again with one that does not clear errors."""
     kit = kits.make(tmp_path / "kit", "vivado", "tiny")
     driver = compiled(gcc, kit, tmp_path / "driver.o", "-c")
     options = ["-CFLAGS", f"-I{kit.folder / 'software'}"]

@@ -12,6 +12,8 @@ from flow.base import venv
 from flow.base.errors import FlowError
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
+from flow.implementation.results import Configuration
+from flow.pages import camera
 
 
 def ghdl_step(ghdl, folder, *words):
@@ -39,13 +41,13 @@ def test_a_top_of_vhdl_2008_is_noticed(ghdl, tmp_path):
     assert analyse_top_as_93(ghdl, kit, tmp_path).returncode != 0
 
 
-def bench(ghdl, kit):
+def bench(ghdl, kit, *options):
     """The finished process of the bench in a kit."""
     work, name = kit.folder.parent, f"tb_{kit.top}"
     files = [*kit.sources(), kit.folder / "sim" / f"{name}.vhd"]
     analysed = ghdl_step(ghdl, work, "-a", STANDARD, *files)
     assert analysed.returncode == 0, analysed.stderr
-    return ghdl_step(ghdl, work, "-r", STANDARD, name, "--ieee-asserts=disable")
+    return ghdl_step(ghdl, work, "-r", STANDARD, name, "--ieee-asserts=disable", *options)
 
 
 CONFIGURATIONS = ["tiny", "tiny_p4", "tiny_subpixel", "tiny_left_min_negative", "tiny_sgm", "tiny_trellis", "example"]
@@ -53,10 +55,20 @@ CONFIGURATIONS = ["tiny", "tiny_p4", "tiny_subpixel", "tiny_left_min_negative", 
 
 @pytest.mark.parametrize("config", CONFIGURATIONS)
 def test_two_frames_go_through(ghdl, tmp_path, config):
-    """In the kit whose files differ most from the committed ones."""
+    """In the kit whose files differ most from the committed ones; with the latency that the documentation states."""
     process = bench(ghdl, kits.make(tmp_path / "kit", "quartus", config))
     assert process.returncode == 0, process.stdout + process.stderr
-    assert re.search(rf"stereo_plain_{config} passed: \d+ clocks", process.stdout + process.stderr)
+    passed = re.search(rf"stereo_plain_{config} passed: (\d+) clocks", process.stdout + process.stderr)
+    assert int(passed.group(1)) == camera.clocks_to_first(Configuration(config, stale_is_none=True))
+
+
+@pytest.mark.parametrize("config", ["tiny_lr", "tiny_all_recursive", "tiny_sgm"])
+@pytest.mark.parametrize("missing", [0, 1])
+def test_blanking_that_a_camera_needs(ghdl, tmp_path, config, missing):
+    """As docs/integration.md says: with flush_groups clocks between frames the source never waits."""
+    blanking = Configuration(config, stale_is_none=True).parameters["flush_groups"] - missing
+    process = bench(ghdl, kits.make(tmp_path / "kit", "vivado", config), f"-gblanking={blanking}", "-gsink_waits=0")
+    assert f", {missing} in which the source waited" in process.stdout + process.stderr, process.stdout
 
 
 FAULTS = {  # what the bench says: (file of rtl/, what, instead)

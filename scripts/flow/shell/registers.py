@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any, NotRequired, TypedDict
 
-from ..base.errors import FlowError
+from ..base import markdown
 from ..base.tools import ROOT
 
 DESCRIPTION = ROOT / "hls" / "rtl" / "registers.json"
@@ -96,18 +96,9 @@ def table() -> str:
     return "\n".join(rows)
 
 
-def document_with_table(text: str) -> str:
-    """The page with the table between its two marks made anew."""
-    before, begin, rest = text.partition(TABLE_BEGIN)
-    _, end, after = rest.partition(TABLE_END)
-    if not begin or not end:
-        raise FlowError(f"{DOCUMENT.relative_to(ROOT)} has no place for the table of registers")
-    return f"{before}{begin}\n{table()}\n{end}{after}"
-
-
 def made_files() -> dict[Path, str]:
     """{path: text that belongs there}"""
     files = {PACKAGE: vhdl_package()}
     if DOCUMENT.is_file():
-        files[DOCUMENT] = document_with_table(DOCUMENT.read_text())
+        files[DOCUMENT] = markdown.replaced(DOCUMENT, TABLE_BEGIN, TABLE_END, table())
     return files

@@ -1,24 +1,28 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Sends two frames of noise through @{top} while the sink waits now and then. The left image is the right one, moved:
--- most disparities must say so. Fails with the first thing that is wrong; ends with "passed" and the clocks to the
--- first disparity.
+-- Sends two frames of noise through @{top}. The left image is the right one, moved: most disparities must say so.
+-- Fails with the first thing that is wrong. Ends with "passed", the clocks to the first disparity, and those in which the
+-- source had to wait: a camera cannot, and has blanking instead.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 use ieee.math_real.all;
 
 entity @{name} is
+  generic (
+    blanking : natural := 0;  -- clocks between the frames
+    sink_waits : natural range 0 to 1 := 1  -- now and then
+  );
 end entity;
 
 architecture sim of @{name} is
 @{constants}
   constant frames : positive := 2;
   constant rows : positive := height_px / pixels_per_clock;  -- lines of a frame, on both sides
-  constant most_clocks : positive := 6 * frames * rows * width_px + 20_000;
+  constant most_clocks : positive := 6 * frames * rows * width_px + 20_000 + blanking;
   signal aclk : std_logic := '0';
 @{signals}
   signal done, finished : boolean := false;
-  signal clock_number, first_in, first_out : natural := 0;
+  signal clock_number, first_in, first_out, waited : natural := 0;
 begin
   aclk <= not aclk after 5 ns when not finished else '0';
 
@@ -28,6 +32,9 @@ begin
   begin
     if rising_edge(aclk) then
       clock_number <= clock_number + 1;
+      if first_in > 0 and s_axis_tvalid = '1' and s_axis_tready = '0' then
+        waited <= waited + 1;
+      end if;
       assert clock_number < most_clocks report "the maps do not come" severity failure;
     end if;
   end process;
@@ -65,13 +72,19 @@ begin
           first_in <= clock_number;
         end if;
       end loop;
+      if line mod rows = rows - 1 then
+        s_axis_tvalid <= '0';
+        for i in 1 to blanking loop
+          wait until rising_edge(aclk);
+        end loop;
+        s_axis_tvalid <= '1' when line < frames * rows - 1 else '0';
+      end if;
     end loop;
-    s_axis_tvalid <= '0';
     wait;
   end process;
 
   -- Waits in every fourth clock, but not before the first disparity.
-  m_axis_tready <= '0' when first_out > 0 and clock_number mod 4 = 0 else '1';
+  m_axis_tready <= '0' when sink_waits = 1 and first_out > 0 and clock_number mod 4 = 0 else '1';
 
   sink : process
     variable shown, as_expected : natural := 0;
@@ -115,7 +128,8 @@ begin
     wait until done;
 @{checks}
     expect("frames", 16#@{frames}#, std_logic_vector(to_unsigned(frames, 32)));
-    report "@{top} passed: " & to_string(first_out - first_in) & " clocks from the first pair to the first disparity";
+    report "@{top} passed: " & to_string(first_out - first_in) & " clocks from the first pair to the first disparity, " &
+      to_string(waited) & " in which the source waited";
     finished <= true;
     wait;
   end process;
