@@ -13,9 +13,8 @@ Files = dict[Path, str]
 ORDER = Path("compile_order.txt")
 TOOLS = {"vivado": "Vivado", "quartus": "Quartus", "fusesoc": "FuseSoC"}
 TRIED = {
-    "vivado": "Not tried in Vivado, which nobody here has: package_ip.tcl ran in a Tcl interpreter with stand-ins for "
-    "Vivado's commands.",
-    "quartus": "Not tried in Quartus, which nobody here has: the component ran in a Tcl interpreter with stand-ins for "
+    "vivado": "Not tried in Vivado: package_ip.tcl ran in a Tcl interpreter with stand-ins for Vivado's commands.",
+    "quartus": "Not tried in Quartus: the component ran in a Tcl interpreter with stand-ins for "
     "Platform Designer's commands. The VHDL needs conditional assignments of VHDL-2008 in processes.",
     "fusesoc": "Tried in FuseSoC with GHDL: targets lint and sim.",
 }
