@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "phase_correlation/config.hpp"
+#include "support/registers.hpp"
+
+namespace stereo::phase_correlation {
+
+/// Number of separable filters along a column: low pass L, even E and odd O.
+inline constexpr int kFilters = 3;
+
+/// The filters of one scale along a column: boxes of `kStep` rows, then L, E and O of five of them, kStep apart.
+/// kClocks clocks, as many for every scale: where a box is smaller, registers are empty.
+///
+/// No number is below 0, since E and O are kept with a bias. The filters along the rows cancel it.
+template <const auto& C, int Scale>
+struct ColumnFilter {
+   static constexpr int kStep = 1 << Scale;
+   static constexpr int kBoxClocks = C.scales - 1;
+   static constexpr int kClocks = kBoxClocks + 2;
+   static constexpr int kRows = C.largest_reach().above + 1 + C.largest_reach().below;
+   static constexpr int kCentre = C.largest_reach().above;
+   static constexpr int kTaps = 5;
+   static constexpr int kParts = kStep > 1 ? kStep / 2 : 1;
+   static constexpr int kEvenBias = 2 * 255 * kStep, kOddBias = 3 * 255 * kStep;
+   static constexpr int kBits = bits_for(2 * kOddBias);
+
+   uint16_t box[kBoxClocks > 0 ? kBoxClocks : 1][kTaps][kParts];  ///< [clock][tap]: parts that are still apart
+   uint16_t centre, near, outer;                                  ///< box 0, -1 and 1, -2 and 2
+   uint16_t upper, lower;                                         ///< boxes -2 and -1, 2 and 1, the nearer one twice
+   uint16_t response[kFilters];                                   ///< L, E + kEvenBias, O + kOddBias
+
+   HLS_INLINE ColumnFilter() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("box", box);
+      visit("centre", centre);
+      visit("near", near);
+      visit("outer", outer);
+      visit("upper", upper);
+      visit("lower", lower);
+      visit("response", response);
+   }
+
+   HLS_INLINE void clock(const uint8_t (&column)[kRows]) {
+      constexpr uint16_t kMask = uint16_t((1u << kBits) - 1);
+      response[0] = uint16_t(near + 2 * centre) & kMask;
+      response[1] = uint16_t(2 * centre + kEvenBias - outer) & kMask;
+      response[2] = uint16_t(lower + kOddBias - upper) & kMask;
+      uint16_t tap[kTaps];
+      HLS_UNROLL
+      for (int n = 0; n < kTaps; ++n) {
+         if constexpr (kBoxClocks > 0) tap[n] = box[kBoxClocks - 1][n][0];
+         else tap[n] = column[kCentre + (n - 2) * kStep];
+      }
+      centre = tap[2];
+      near = uint16_t(tap[1] + tap[3]);
+      outer = uint16_t(tap[0] + tap[4]);
+      upper = uint16_t(tap[0] + 2 * tap[1]);
+      lower = uint16_t(tap[4] + 2 * tap[3]);
+      if constexpr (kBoxClocks > 0) add_boxes(column);
+   }
+
+  private:
+   HLS_INLINE void add_boxes(const uint8_t (&column)[kRows]) {
+      HLS_UNROLL
+      for (int j = kBoxClocks - 1; j >= 0; --j) {
+         HLS_UNROLL
+         for (int n = 0; n < kTaps; ++n) {
+            HLS_UNROLL
+            for (int i = 0; i < kParts; ++i) {
+               const int before = kStep >> j, parts = before > 1 ? before / 2 : 1;
+               if (i >= parts) continue;
+               const int a = before > 1 ? 2 * i : 0, row = kCentre + (n - 2) * kStep - a;
+               const uint16_t first = j > 0 ? box[j > 0 ? j - 1 : 0][n][a] : uint16_t(column[row]);
+               if (before > 1) {
+                  const uint16_t second = j > 0 ? box[j > 0 ? j - 1 : 0][n][a + 1] : uint16_t(column[row - 1]);
+                  box[j][n][i] = uint16_t(first + second);
+               } else {
+                  box[j][n][i] = first;
+               }
+            }
+         }
+      }
+   }
+};
+
+}  // namespace stereo::phase_correlation
