@@ -67,6 +67,8 @@ def main() -> int:
     options = parser.parse_args()
     if options.record and (options.rtl or options.simulator == "original"):
         raise FlowError("--record keeps results of the VHDL in generated_rtl: no --rtl, no --simulator original")
+    if options.record and options.broken:
+        raise FlowError("--record keeps results of whole frames and rows: no --broken")
     if options.frames < 1:
         raise FlowError("--frames must be at least 1")
     if options.broken < 0:

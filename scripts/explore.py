@@ -125,9 +125,9 @@ def main() -> int:
         list(dict.fromkeys(options.switch)),
     )
     choices, refused = explore.choices(sweep, family)
-    choices += explore.named_choices(options.config, sweep.ranges)
     if not choices:
         raise FlowError("no choice is left: census takes no x-Sobel, and the texture check needs it")
+    choices += explore.named_choices(options.config, sweep.ranges)
     number = options.scenes if options.scenes is not None else (0 if options.pair else 2)
     pairs = given_pairs(options) + explore.generated_scenes(number, max(sweep.ranges), options.out)
     if not pairs:

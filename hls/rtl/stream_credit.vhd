@@ -64,7 +64,6 @@ begin
       if reset = '1' then
         flight <= (others => '0');
         lent <= 0;
-        may_send <= '0';
       end if;
     end if;
   end process;

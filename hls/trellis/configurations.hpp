@@ -12,15 +12,15 @@ namespace stereo::trellis::configurations {
 // tiny: small enough for every tool to finish in seconds.
 STEREO_ROW(tiny_trellis, tiny, Config(), width_px = 40, height_px = 12, disparities = 12, slice_disparities = 5);
 
-// system: Kim et al., 1300x640; their disparities are not stated.
-STEREO_ROW(trellis_1300, system, Config(), width_px = 1300, height_px = 640, disparities = 64, median = true,
+// planned: Kim et al., 1300x640; their disparities are not stated. No VHDL yet: docs/trellis.md.
+STEREO_ROW(trellis_1300, planned, Config(), width_px = 1300, height_px = 640, disparities = 64, median = true,
            slice_disparities = 16);
 
 // option: one option after the other, at a size that a test can afford.
 STEREO_ROW(tiny_trellis_unmarked, option, tiny_trellis, mark_occluded = false);
 STEREO_ROW(tiny_trellis_median, option, tiny_trellis, median = true);
 STEREO_ROW(tiny_trellis_near, option, tiny_trellis, far_drop = 12);
-STEREO_ROW(tiny_trellis_costs, option, tiny_trellis, drop_cost = 0, occlusion_cost = 25, far_drop = 2);
+STEREO_ROW(tiny_trellis_costs, option, tiny_trellis, drop_cost = 0, occlusion_cost = 2, far_drop = 2);
 STEREO_ROW(tiny_trellis_w1, option, tiny_trellis, window_px = 1, census_width_px = 9, cost_shift = 2);
 STEREO_ROW(tiny_trellis_sad, option, tiny_trellis, cost = Cost::sad, cost_shift = 6, cost_cap = 15);
 STEREO_ROW(tiny_trellis_min3, option, tiny_trellis, min_disparity = 3);

@@ -103,21 +103,26 @@ struct Losers {
       return losers;
    }
 
-   /// Adds cost `i` of `count` of neighbouring disparities of which number `place` wins. Without kNone where there are
+   /// Adds cost `I` of `Count` of neighbouring disparities of which number `place` wins. Without kNone where there are
    /// numbers: no tool knows that costs are smaller.
-   HLS_INLINE void add_single(Value single, int i, int count, int place) {
-      if (i > 0) but_first = i == 1 ? single : smaller(but_first, single);
-      if (i + 1 < count) but_last = i == 0 ? single : smaller(but_last, single);
-      if (count > 2) second = smaller(second, select<Value>(i - place > 1 || place - i > 1, single, kNone));
+   template <int I, int Count>
+   HLS_INLINE void add_single(Value single, int place) {
+      if constexpr (I > 0) but_first = I == 1 ? single : smaller(but_first, single);
+      if constexpr (I + 1 < Count) but_last = I == 0 ? single : smaller(but_last, single);
+      if constexpr (Count > 2) {
+         const bool is_far = (I > place + 1) | (place > I + 1);
+         second = smaller(second, select<Value>(is_far, single, kNone));
+      }
    }
 
-   /// Of the range at `place` of `count`: without the winner of all of them and the costs beside it. In a pair, a flag
+   /// Of the range at `Place` of `Count`: without the winner of all of them and the costs beside it. In a pair, a flag
    /// alone says which of the two the winner touches.
-   HLS_INLINE Losers left_by(const Choice& choice, int place, int count) const {
-      const bool touches_last = choice.at_start && (count == 2 ? place == 0 : choice.place == place + 1);
-      const bool touches_first = choice.at_end && (count == 2 ? place == 1 : choice.place + 1 == place);
+   template <int Place, int Count>
+   HLS_INLINE Losers left_by(const Choice& choice) const {
+      const bool touches_last = choice.at_start & (Count == 2 ? Place == 0 : choice.place == Place + 1);
+      const bool touches_first = choice.at_end & (Count == 2 ? Place == 1 : choice.place + 1 == Place);
       Losers losers = *this;
-      losers.second = select<Value>(choice.place == place, second, cost);
+      losers.second = select<Value>(choice.place == Place, second, cost);
       losers.second = select<Value>(touches_last, but_last, losers.second);
       losers.second = select<Value>(touches_first, but_first, losers.second);
       return losers;

@@ -97,7 +97,7 @@ struct Candidates {
    }
    HLS_INLINE void join_losers(int p, int i, const Others& a, const Others& b) {
       const Choice winner = choice(p, i);
-      set_losers(p, i, Others::joined(a.left_by(winner, 0, 2), b.left_by(winner, 1, 2)));
+      set_losers(p, i, Others::joined(a.template left_by<0, 2>(winner), b.template left_by<1, 2>(winner)));
    }
 };
 

@@ -47,17 +47,10 @@ struct WinnerTree {
       next.clock(best, tag);
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
+         if constexpr (kHasSecond) leave_costs<0>(p);
          HLS_UNROLL
          for (int group = 0; group < kWinners; ++group) {
             const int start = group * kGroup;
-            if constexpr (kHasSecond) {
-               const int end = start + kGroup < N ? start + kGroup : N;
-               Others losers;
-               HLS_UNROLL
-               for (int i = start; i < end; ++i)
-                  losers.add_single(held[p][i], i - start, end - start, best.place[p][group]);
-               best.set_losers(p, group, losers);
-            }
             Candidate winner = Candidate::single(cost[p][start], uint8_t(start));
             Choice choice;
             HLS_UNROLL
@@ -81,18 +74,10 @@ struct WinnerTree {
       next.clock(best, tag);
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
+         if constexpr (kHasSecond) leave_candidates<0>(candidates, p);
          HLS_UNROLL
          for (int group = 0; group < kWinners; ++group) {
             const int start = group * kGroup;
-            if constexpr (kHasSecond) {
-               const Choice choice = best.choice(p, group);
-               const int count = start + kGroup < N ? kGroup : N - start;
-               Others losers = candidates.losers(p, start).left_by(choice, 0, count);
-               HLS_UNROLL
-               for (int i = start + 1; i < start + kGroup && i < N; ++i)
-                  losers = Others::joined(losers, candidates.losers(p, i).left_by(choice, i - start, count));
-               best.set_losers(p, group, losers);
-            }
             Candidate winner = candidates.get(p, start);
             Choice choice = place_of(winner, start, start);
             HLS_UNROLL
@@ -114,6 +99,37 @@ struct WinnerTree {
    }
 
   private:
+   // The losers of groups Group, Group+1, ... of the clock before. Recursion instead of loops: what happens to a cost
+   // depends on its place, and the front end does not unroll a loop of which it has led each place its own way.
+   static constexpr int count_of(int group) { return (group + 1) * kGroup < N ? kGroup : N - group * kGroup; }
+
+   template <int Group>
+   HLS_INLINE void leave_costs(int p) {
+      Others losers;
+      add_costs<Group, 0>(losers, p);
+      best.set_losers(p, Group, losers);
+      if constexpr (Group + 1 < kWinners) leave_costs<Group + 1>(p);
+   }
+   template <int Group, int Place>
+   HLS_INLINE void add_costs(Others& losers, int p) const {
+      losers.template add_single<Place, count_of(Group)>(held[p][Group * kGroup + Place], best.place[p][Group]);
+      if constexpr (Place + 1 < count_of(Group)) add_costs<Group, Place + 1>(losers, p);
+   }
+
+   template <int Group>
+   HLS_INLINE void leave_candidates(const Candidates<Candidate, kPixels, N>& candidates, int p) {
+      best.set_losers(p, Group, left<Group, 0>(candidates, p));
+      if constexpr (Group + 1 < kWinners) leave_candidates<Group + 1>(candidates, p);
+   }
+   /// From `Place` of the group on.
+   template <int Group, int Place>
+   HLS_INLINE Others left(const Candidates<Candidate, kPixels, N>& candidates, int p) const {
+      const Others here =
+          candidates.losers(p, Group * kGroup + Place).template left_by<Place, count_of(Group)>(best.choice(p, Group));
+      if constexpr (Place + 1 == count_of(Group)) return here;
+      else return Others::joined(here, left<Group, Place + 1>(candidates, p));
+   }
+
    /// Candidate `i` as the winner of its group.
    static HLS_INLINE Choice place_of(const Candidate& candidate, int i, int start) {
       return Choice::of(uint8_t(i - start), i > start && candidate.index == i * Span,

@@ -15,7 +15,7 @@ void evaluate(const app::DisparityImage& map) {
    for (const Reference side : {Reference::left, Reference::right})
       for (const int border : {0, 2})
          for (const app::NamedMask& mask :
-              app::evaluation_masks(GrayImage(map.width, map.height), map, &map, side, border, 16)) {
+              app::evaluation_masks(GrayImage(map.width, map.height), map, &map, side, border)) {
             const app::Measures measures = app::measure(map, map, mask.mask);
             promise(measures.valid == measures.pixels && measures.d1 == 0, "a map does not differ from itself");
          }

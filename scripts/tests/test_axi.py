@@ -48,7 +48,12 @@ FAULTS = {
         "true",
         "changed before it was taken",
     ),
-    "the shell takes no more beats": ("stream_credit", r"lent_after := lent_after - 1;", "null;", "not taken for ever"),
+    "the shell takes no more beats": (
+        "stream_credit",
+        r"(?s)if unused = '1' and taken = '1' then.*?end if;",
+        "change := 1 when sends = '1' else 0;",
+        "not taken for ever",
+    ),
     "two credits less": ("stereo_axis", r"latency_clocks \+ 4;", "latency_clocks + 2;", "clocks a frame instead of"),
     "a partial frame is not marked": (
         "stereo_frames",

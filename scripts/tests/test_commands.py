@@ -50,6 +50,13 @@ def test_missing_option(nothing_written):
     refused(call("cosim.py", "--config", "tiny"), 2, "required", "--left", "--help")
 
 
+@pytest.mark.parametrize(
+    "options", [["--broken", -1], ["--broken", 2, "--frames", 2], ["--broken", 2, "--rows", "0:8"]]
+)
+def test_a_broken_stream_has_no_frames_and_rows(options, pair, nothing_written):
+    refused(cosim("tiny", pair, nothing_written, *options), 2, "--broken")
+
+
 def test_unknown_configuration(pair, nothing_written):
     refused(cosim("huge", pair, nothing_written), 2, "unknown configuration 'huge'", "ambrosch2007, ", "tiny")
     refused(call("synthesize.py", "--config", "huge", "--check"), 2, "unknown configuration 'huge'")

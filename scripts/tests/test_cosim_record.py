@@ -82,7 +82,7 @@ def test_the_page_shows_them(folder, monkeypatch):
     assert (shown["compared in GHDL"], shown["compared in Verilator"]) == ("168 of 168, 0 differ", performance.UNKNOWN)
 
 
-@pytest.mark.parametrize("options", [["--rtl", rtl.folder("tiny")], ["--simulator", "original"]])
+@pytest.mark.parametrize("options", [["--rtl", rtl.folder("tiny")], ["--simulator", "original"], ["--broken", 3]])
 def test_only_results_of_the_committed_vhdl_are_recorded(options):
     refused(
         call("cosim.py", "--config", "tiny", "--left", "l.png", "--right", "r.png", "--record", *options), 2, "--record"

@@ -17,8 +17,8 @@ FAULTS = {
     ),
     "hidden name": (
         "stream_credit",
-        "    variable lent_after",
-        "    variable lent : integer;\n    variable lent_after",
+        "    variable change :",
+        "    variable lent : integer;\n    variable change :",
         "lent",
     ),
     "loop": (

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Words that a memory reads in the clock in which it writes them.
 
-The option -no-rw-check of yosys leaves them open. It is not used, because there are such words: in block matching those
-of bubbles, which nobody looks at; in semi-global matching some that decide the result."""
+yosys leaves them open where a memory has the attribute no_rw_check. There are such words: in block matching those of
+bubbles, which nobody looks at, so it gets the attribute; in semi-global matching some that decide the result."""
 
 import pytest
 
 from flow.base import rtl
-from flow.base.configurations import configuration
+from flow.base.configurations import configuration, configurations
 from flow.base.tools import find_stereo_hls, run
 from flow.cosim.simulators import Ghdl
+from flow.implementation import yosys
 from flow.implementation.targets import FAMILIES
 from flow.synthesis import manifest
 from flow_commands import scene
@@ -17,7 +18,11 @@ from flow_commands import scene
 READ = "          word <= memory(read_address);\n"
 OTHER = "          word <= 2 ** bits - 1 - memory(read_address) when {} else memory(read_address);\n"
 SAME_CLOCK = "read_address = write_address"
-BLOCK_MATCHING = ["tiny", "tiny_all", "tiny_all_recursive", "tiny_p4", "tiny_lr_left", "tiny_median_left_subpixel"]
+BLOCK_MATCHING = sorted(
+    name
+    for name, row in configurations().items()
+    if row["family"] == "block_matching" and row["use"] in ("tiny", "option")
+)
 
 
 def observed(config, folder, wrong=None):
@@ -44,13 +49,19 @@ def observed(config, folder, wrong=None):
 def test_block_matching_looks_at_none(ghdl, tmp_path, config):
     right = observed(config, tmp_path)
     assert observed(config, tmp_path, SAME_CLOCK) == right
-    # The test sees wrong words: of the clock in which the address before was written.
-    assert observed(config, tmp_path, "read_address = write_address + 1") != right
+
+
+def test_wrong_words_are_seen(ghdl, tmp_path):
+    """Of the clock in which the address before was written."""
+    assert observed("tiny", tmp_path, "read_address = write_address + 1") != observed("tiny", tmp_path)
 
 
 def test_semi_global_matching_looks_at_some(ghdl, tmp_path):
     assert observed("tiny_sgm", tmp_path, SAME_CLOCK) != observed("tiny_sgm", tmp_path)
 
 
-def test_the_option_is_not_used():
-    assert not [family for family in FAMILIES.values() if "no-rw-check" in family.synthesis]
+@pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
+def test_only_block_matching_gets_the_attribute(family):
+    assert yosys.WITHOUT_BYPASS == ("block_matching",)
+    assert "no_rw_check" not in yosys.script(family) and "no-rw-check" not in family.synthesis
+    assert "setattr -set no_rw_check 1" in yosys.script(family, bypasses=False)

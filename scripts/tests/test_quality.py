@@ -94,6 +94,7 @@ def test_tables_take_means_and_know_what_is_unknown(two):
 
 def test_without_the_pair_only_the_scenes(tmp_path):
     before = quality.PAGE.read_bytes()
+    quality.SCENES_PAGE.unlink(missing_ok=True)
     process = call("quality.py", "--pair", tmp_path)
     assert process.returncode == 0, process.stderr
     said, wrote = process.stdout.splitlines()

@@ -113,8 +113,8 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
   signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
   signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
-  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid : boolean;
+  signal rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
   signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
@@ -143,9 +143,19 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0shift_search_2_22, slice0shift_search_2_23, slice0shift_search_2_24 : natural range 0 to 255;
   signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
   signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_tag_valid, slice0shift_tag_newest_inside, slice0shift_tag_border_column : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
+  signal slice0cost_signs_column, slice0cost_signs_next_column : natural range 0 to 511;
+  signal slice0cost_signs_difference_column, slice0cost_signs_write_column : natural range 0 to 511;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
+  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
+  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
+  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
+  signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
+  signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
+  signal slice0cost_pair_0_24 : natural range 0 to 511;
   signal slice0cost_signs_read_words_0, slice0cost_signs_read_words_1 : unsigned(24 downto 0);
   signal slice0cost_signs_ready_words_0, slice0cost_signs_ready_words_1 : natural range 0 to 33554431;
   signal slice0cost_signs_known_words_1, slice0cost_signs_write_words_0 : natural range 0 to 33554431;
@@ -184,15 +194,22 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0cost_difference_2_18, slice0cost_difference_2_19, slice0cost_difference_2_20 : integer range -255 to 255;
   signal slice0cost_difference_2_21, slice0cost_difference_2_22, slice0cost_difference_2_23 : integer range -255 to 255;
   signal slice0cost_difference_2_24 : integer range -255 to 255;
-  signal slice0cost_difference_tag_valid, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
-  signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
-  signal slice0cost_pair_0_12, slice0cost_pair_0_13, slice0cost_pair_0_14 : natural range 0 to 511;
-  signal slice0cost_pair_0_15, slice0cost_pair_0_16, slice0cost_pair_0_17 : natural range 0 to 511;
-  signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
-  signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
-  signal slice0cost_pair_0_24 : natural range 0 to 511;
+  signal slice0cost_newest_negative_0_0, slice0cost_newest_negative_0_1, slice0cost_newest_negative_0_2 : boolean;
+  signal slice0cost_newest_negative_0_3, slice0cost_newest_negative_0_4, slice0cost_newest_negative_0_5 : boolean;
+  signal slice0cost_newest_negative_0_6, slice0cost_newest_negative_0_7, slice0cost_newest_negative_0_8 : boolean;
+  signal slice0cost_newest_negative_0_9, slice0cost_newest_negative_0_10, slice0cost_newest_negative_0_11 : boolean;
+  signal slice0cost_newest_negative_0_12, slice0cost_newest_negative_0_13, slice0cost_newest_negative_0_14 : boolean;
+  signal slice0cost_newest_negative_0_15, slice0cost_newest_negative_0_16, slice0cost_newest_negative_0_17 : boolean;
+  signal slice0cost_newest_negative_0_18, slice0cost_newest_negative_0_19, slice0cost_newest_negative_0_20 : boolean;
+  signal slice0cost_newest_negative_0_21, slice0cost_newest_negative_0_22, slice0cost_newest_negative_0_23 : boolean;
+  signal slice0cost_newest_negative_0_24, slice0cost_difference_tag_valid : boolean;
+  signal slice0cost_difference_tag_newest_inside, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_newest_inside : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_newest_inside, slice0cost_tag_border_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 766;
   signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 766;
   signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 766;
@@ -223,8 +240,9 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1532;
   signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1532;
   signal slice0window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice0window_centre_output_column, slice0window_centre_start_of_frame : boolean;
-  signal slice0window_centre_end_of_line : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2298;
   signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2298;
   signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2298;
@@ -252,7 +270,11 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0winner1_of_four_0_17, slice0winner1_of_four_0_18, slice0winner1_of_four_0_19 : natural range 0 to 2298;
   signal slice0winner1_of_four_0_20, slice0winner1_of_four_0_21, slice0winner1_of_four_0_22 : natural range 0 to 2298;
   signal slice0winner1_of_four_0_23, slice0winner1_of_four_0_24, slice0winner1_best_cost_0_6 : natural range 0 to 2298;
-  signal slice0winner1_pair_index_0_0 : boolean;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
   signal slice0winner1_best_index_0_0 : natural range 0 to 3;
   signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
@@ -270,6 +292,8 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0winner1_pair_index_0_10 : natural range 0 to 21;
   signal slice0winner1_pair_index_0_11, slice0winner1_four_index_0_5 : natural range 0 to 23;
   signal slice0winner1_best_index_0_5 : natural range 0 to 23;
+  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
   signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
   signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
   signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
@@ -286,12 +310,21 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0winner2_pair_index_0_2 : natural range 0 to 23;
   signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
   signal slice0winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
+  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
+  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
+  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
+  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
   signal slice0winner3_best_cost_0_0 : natural range 0 to 4095;
   signal slice0winner3_best_index_0_0 : natural range 0 to 24;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0 : natural range 0 to 99;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
   signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 255;
@@ -321,6 +354,15 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
   signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 255;
   -- slice1cost
+  signal slice1cost_signs_difference_column, slice1cost_signs_write_column : natural range 0 to 511;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
+  signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
+  signal slice1cost_pair_0_12, slice1cost_pair_0_13, slice1cost_pair_0_14 : natural range 0 to 511;
+  signal slice1cost_pair_0_15, slice1cost_pair_0_16, slice1cost_pair_0_17 : natural range 0 to 511;
+  signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
+  signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
+  signal slice1cost_pair_0_24 : natural range 0 to 511;
   signal slice1cost_signs_read_words_0, slice1cost_signs_read_words_1 : unsigned(24 downto 0);
   signal slice1cost_signs_ready_words_0, slice1cost_signs_ready_words_1 : natural range 0 to 33554431;
   signal slice1cost_signs_known_words_1, slice1cost_signs_write_words_0 : natural range 0 to 33554431;
@@ -359,15 +401,15 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1cost_difference_2_18, slice1cost_difference_2_19, slice1cost_difference_2_20 : integer range -255 to 255;
   signal slice1cost_difference_2_21, slice1cost_difference_2_22, slice1cost_difference_2_23 : integer range -255 to 255;
   signal slice1cost_difference_2_24 : integer range -255 to 255;
-  signal slice1cost_difference_tag_valid, slice1cost_pair_tag_border_column : boolean;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
-  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
-  signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
-  signal slice1cost_pair_0_12, slice1cost_pair_0_13, slice1cost_pair_0_14 : natural range 0 to 511;
-  signal slice1cost_pair_0_15, slice1cost_pair_0_16, slice1cost_pair_0_17 : natural range 0 to 511;
-  signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
-  signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
-  signal slice1cost_pair_0_24 : natural range 0 to 511;
+  signal slice1cost_newest_negative_0_0, slice1cost_newest_negative_0_1, slice1cost_newest_negative_0_2 : boolean;
+  signal slice1cost_newest_negative_0_3, slice1cost_newest_negative_0_4, slice1cost_newest_negative_0_5 : boolean;
+  signal slice1cost_newest_negative_0_6, slice1cost_newest_negative_0_7, slice1cost_newest_negative_0_8 : boolean;
+  signal slice1cost_newest_negative_0_9, slice1cost_newest_negative_0_10, slice1cost_newest_negative_0_11 : boolean;
+  signal slice1cost_newest_negative_0_12, slice1cost_newest_negative_0_13, slice1cost_newest_negative_0_14 : boolean;
+  signal slice1cost_newest_negative_0_15, slice1cost_newest_negative_0_16, slice1cost_newest_negative_0_17 : boolean;
+  signal slice1cost_newest_negative_0_18, slice1cost_newest_negative_0_19, slice1cost_newest_negative_0_20 : boolean;
+  signal slice1cost_newest_negative_0_21, slice1cost_newest_negative_0_22, slice1cost_newest_negative_0_23 : boolean;
+  signal slice1cost_newest_negative_0_24, slice1cost_tag_border_column : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 766;
   signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 766;
   signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 766;
@@ -398,8 +440,6 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1532;
   signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1532;
   signal slice1window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice1window_centre_output_column, slice1window_centre_start_of_frame : boolean;
-  signal slice1window_centre_end_of_line : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2298;
   signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2298;
   signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2298;
@@ -466,6 +506,8 @@ architecture rtl of stereo_core_ambrosch2007 is
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0 : natural range 0 to 99;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
   signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 255;
   signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 255;
@@ -495,6 +537,15 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 255;
   signal slice2shift_search_out_0, slice2shift_search_out_1, slice2shift_search_out_2 : natural range 0 to 255;
   -- slice2cost
+  signal slice2cost_signs_difference_column, slice2cost_signs_write_column : natural range 0 to 511;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
+  signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
+  signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
+  signal slice2cost_pair_0_12, slice2cost_pair_0_13, slice2cost_pair_0_14 : natural range 0 to 511;
+  signal slice2cost_pair_0_15, slice2cost_pair_0_16, slice2cost_pair_0_17 : natural range 0 to 511;
+  signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
+  signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
+  signal slice2cost_pair_0_24 : natural range 0 to 511;
   signal slice2cost_signs_read_words_0, slice2cost_signs_read_words_1 : unsigned(24 downto 0);
   signal slice2cost_signs_ready_words_0, slice2cost_signs_ready_words_1 : natural range 0 to 33554431;
   signal slice2cost_signs_known_words_1, slice2cost_signs_write_words_0 : natural range 0 to 33554431;
@@ -533,15 +584,15 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2cost_difference_2_18, slice2cost_difference_2_19, slice2cost_difference_2_20 : integer range -255 to 255;
   signal slice2cost_difference_2_21, slice2cost_difference_2_22, slice2cost_difference_2_23 : integer range -255 to 255;
   signal slice2cost_difference_2_24 : integer range -255 to 255;
-  signal slice2cost_difference_tag_valid, slice2cost_pair_tag_border_column : boolean;
-  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
-  signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
-  signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
-  signal slice2cost_pair_0_12, slice2cost_pair_0_13, slice2cost_pair_0_14 : natural range 0 to 511;
-  signal slice2cost_pair_0_15, slice2cost_pair_0_16, slice2cost_pair_0_17 : natural range 0 to 511;
-  signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
-  signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
-  signal slice2cost_pair_0_24 : natural range 0 to 511;
+  signal slice2cost_newest_negative_0_0, slice2cost_newest_negative_0_1, slice2cost_newest_negative_0_2 : boolean;
+  signal slice2cost_newest_negative_0_3, slice2cost_newest_negative_0_4, slice2cost_newest_negative_0_5 : boolean;
+  signal slice2cost_newest_negative_0_6, slice2cost_newest_negative_0_7, slice2cost_newest_negative_0_8 : boolean;
+  signal slice2cost_newest_negative_0_9, slice2cost_newest_negative_0_10, slice2cost_newest_negative_0_11 : boolean;
+  signal slice2cost_newest_negative_0_12, slice2cost_newest_negative_0_13, slice2cost_newest_negative_0_14 : boolean;
+  signal slice2cost_newest_negative_0_15, slice2cost_newest_negative_0_16, slice2cost_newest_negative_0_17 : boolean;
+  signal slice2cost_newest_negative_0_18, slice2cost_newest_negative_0_19, slice2cost_newest_negative_0_20 : boolean;
+  signal slice2cost_newest_negative_0_21, slice2cost_newest_negative_0_22, slice2cost_newest_negative_0_23 : boolean;
+  signal slice2cost_newest_negative_0_24, slice2cost_tag_border_column : boolean;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 766;
   signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 766;
   signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 766;
@@ -572,8 +623,6 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1532;
   signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1532;
   signal slice2window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice2window_centre_output_column, slice2window_centre_start_of_frame : boolean;
-  signal slice2window_centre_end_of_line : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2298;
   signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2298;
   signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2298;
@@ -640,6 +689,8 @@ architecture rtl of stereo_core_ambrosch2007 is
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 4095;
   signal slice2_best_index_0_0 : natural range 0 to 99;
+  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
+  signal slice2_best_tag_end_of_line : boolean;
   -- slice3shift
   signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 255;
   signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 255;
@@ -715,7 +766,15 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3cost_difference_2_18, slice3cost_difference_2_19, slice3cost_difference_2_20 : integer range -255 to 255;
   signal slice3cost_difference_2_21, slice3cost_difference_2_22, slice3cost_difference_2_23 : integer range -255 to 255;
   signal slice3cost_difference_2_24 : integer range -255 to 255;
-  signal slice3cost_difference_tag_valid, slice3cost_pair_tag_border_column : boolean;
+  signal slice3cost_newest_negative_0_0, slice3cost_newest_negative_0_1, slice3cost_newest_negative_0_2 : boolean;
+  signal slice3cost_newest_negative_0_3, slice3cost_newest_negative_0_4, slice3cost_newest_negative_0_5 : boolean;
+  signal slice3cost_newest_negative_0_6, slice3cost_newest_negative_0_7, slice3cost_newest_negative_0_8 : boolean;
+  signal slice3cost_newest_negative_0_9, slice3cost_newest_negative_0_10, slice3cost_newest_negative_0_11 : boolean;
+  signal slice3cost_newest_negative_0_12, slice3cost_newest_negative_0_13, slice3cost_newest_negative_0_14 : boolean;
+  signal slice3cost_newest_negative_0_15, slice3cost_newest_negative_0_16, slice3cost_newest_negative_0_17 : boolean;
+  signal slice3cost_newest_negative_0_18, slice3cost_newest_negative_0_19, slice3cost_newest_negative_0_20 : boolean;
+  signal slice3cost_newest_negative_0_21, slice3cost_newest_negative_0_22, slice3cost_newest_negative_0_23 : boolean;
+  signal slice3cost_newest_negative_0_24 : boolean;
   signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 766;
   signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 766;
   signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 766;
@@ -746,8 +805,6 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1532;
   signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1532;
   signal slice3window_partial_0_1_24 : natural range 0 to 1532;
-  signal slice3window_centre_output_column, slice3window_centre_start_of_frame : boolean;
-  signal slice3window_centre_end_of_line : boolean;
   signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2298;
   signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2298;
   signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2298;
@@ -815,14 +872,6 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3_best_index_0_0 : natural range 0 to 99;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
   signal slice3_best_tag_end_of_line : boolean;
-  -- other
-  signal other_0, other_1, other_5, other_6, other_7, other_9, other_10, other_11, other_12, other_13 : boolean;
-  signal other_14, other_15, other_16, other_20, other_21, other_22, other_23, other_24, other_25, other_26 : boolean;
-  signal other_27, other_28, other_29, other_30, other_31, other_32, other_33, other_34, other_35, other_36 : boolean;
-  signal other_37, other_38, other_40, other_42, other_43, other_44, other_45, other_46, other_47, other_48 : boolean;
-  signal other_50, other_51, other_52, other_53 : boolean;
-  signal other_2, other_3, other_8, other_17, other_18, other_19, other_39, other_41 : natural range 0 to 511;
-  signal other_4, other_49, other_54 : natural range 0 to 24;
   signal slice3cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
   signal slice3cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
   signal slice2cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
@@ -851,7 +900,7 @@ begin
     generic map (depth => 320, width => 25)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_19, read_data => slice3cost_signs_read_words_1,
+      read_address => slice0cost_signs_difference_column, read_data => slice3cost_signs_read_words_1,
       write_address => slice3cost_signs_write_column, write_data => slice3cost_signs_read_words_1_memory_write_data);
 
   slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words_0, 25);
@@ -859,7 +908,7 @@ begin
     generic map (depth => 320, width => 25)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_19, read_data => slice3cost_signs_read_words_0,
+      read_address => slice0cost_signs_difference_column, read_data => slice3cost_signs_read_words_0,
       write_address => slice3cost_signs_write_column, write_data => slice3cost_signs_read_words_0_memory_write_data);
 
   slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words_1, 25);
@@ -867,32 +916,32 @@ begin
     generic map (depth => 320, width => 25)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_41, read_data => slice2cost_signs_read_words_1,
-      write_address => other_39, write_data => slice2cost_signs_read_words_1_memory_write_data);
+      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_1,
+      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
   slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_41, read_data => slice2cost_signs_read_words_0,
-      write_address => other_39, write_data => slice2cost_signs_read_words_0_memory_write_data);
+      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_0,
+      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
   slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
     generic map (depth => 320, width => 25)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice1cost_signs_read_words_1,
-      write_address => other_2, write_data => slice1cost_signs_read_words_1_memory_write_data);
+      read_address => rows_write_column, read_data => slice1cost_signs_read_words_1,
+      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
   slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 25);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 25)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice1cost_signs_read_words_0,
-      write_address => other_2, write_data => slice1cost_signs_read_words_0_memory_write_data);
+      read_address => rows_write_column, read_data => slice1cost_signs_read_words_0,
+      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
   slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 25);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
@@ -900,7 +949,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
-      write_address => other_8, write_data => slice0cost_signs_read_words_1_memory_write_data);
+      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
   slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
@@ -908,7 +957,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
-      write_address => other_8, write_data => slice0cost_signs_read_words_0_memory_write_data);
+      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -916,7 +965,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      write_address => slice0cost_signs_column, write_data => rows_search_rows_read_words_0_memory_write_data);
 
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
@@ -924,7 +973,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      write_address => slice0cost_signs_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
@@ -960,13 +1009,7 @@ begin
     variable slice0cost_difference_1_17_value, slice0cost_difference_1_18_value : boolean;
     variable slice0cost_difference_1_19_value, slice0cost_difference_1_20_value : boolean;
     variable slice0cost_difference_1_21_value, slice0cost_difference_1_22_value : boolean;
-    variable slice0cost_difference_1_23_value, slice0cost_pair_0_0_is_less, slice0cost_pair_0_1_is_less : boolean;
-    variable slice0cost_pair_0_2_is_less, slice0cost_pair_0_3_is_less, slice0cost_pair_0_4_is_less : boolean;
-    variable slice0cost_pair_0_5_is_less, slice0cost_pair_0_6_is_less, slice0cost_pair_0_7_is_less : boolean;
-    variable slice0cost_pair_0_8_is_less, slice0cost_pair_0_15_is_less, slice0cost_pair_0_16_is_less : boolean;
-    variable slice0cost_pair_0_17_is_less, slice0cost_pair_0_18_is_less, slice0cost_pair_0_19_is_less : boolean;
-    variable slice0cost_pair_0_20_is_less, slice0cost_pair_0_21_is_less, slice0cost_pair_0_22_is_less : boolean;
-    variable slice0cost_pair_0_23_is_less, slice0cost_pair_0_24_is_less, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0cost_difference_1_23_value, slice0winner1_of_pair_0_0_is_less : boolean;
     variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
     variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
     variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
@@ -1001,13 +1044,7 @@ begin
     variable slice1cost_difference_1_17_value, slice1cost_difference_1_18_value : boolean;
     variable slice1cost_difference_1_19_value, slice1cost_difference_1_20_value : boolean;
     variable slice1cost_difference_1_21_value, slice1cost_difference_1_22_value : boolean;
-    variable slice1cost_difference_1_23_value, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
-    variable slice1cost_pair_0_2_is_less, slice1cost_pair_0_3_is_less, slice1cost_pair_0_4_is_less : boolean;
-    variable slice1cost_pair_0_5_is_less, slice1cost_pair_0_6_is_less, slice1cost_pair_0_7_is_less : boolean;
-    variable slice1cost_pair_0_8_is_less, slice1cost_pair_0_15_is_less, slice1cost_pair_0_16_is_less : boolean;
-    variable slice1cost_pair_0_17_is_less, slice1cost_pair_0_18_is_less, slice1cost_pair_0_19_is_less : boolean;
-    variable slice1cost_pair_0_20_is_less, slice1cost_pair_0_21_is_less, slice1cost_pair_0_22_is_less : boolean;
-    variable slice1cost_pair_0_23_is_less, slice1cost_pair_0_24_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1cost_difference_1_23_value, slice1winner1_of_pair_0_0_is_less : boolean;
     variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
     variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
     variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
@@ -1042,13 +1079,7 @@ begin
     variable slice2cost_difference_1_16_value, slice2cost_difference_1_17_value : boolean;
     variable slice2cost_difference_1_18_value, slice2cost_difference_1_19_value : boolean;
     variable slice2cost_difference_1_20_value, slice2cost_difference_1_21_value : boolean;
-    variable slice2cost_difference_1_22_value, slice2cost_difference_1_23_value, slice2cost_pair_0_0_is_less : boolean;
-    variable slice2cost_pair_0_1_is_less, slice2cost_pair_0_2_is_less, slice2cost_pair_0_3_is_less : boolean;
-    variable slice2cost_pair_0_4_is_less, slice2cost_pair_0_5_is_less, slice2cost_pair_0_6_is_less : boolean;
-    variable slice2cost_pair_0_7_is_less, slice2cost_pair_0_8_is_less, slice2cost_pair_0_15_is_less : boolean;
-    variable slice2cost_pair_0_16_is_less, slice2cost_pair_0_17_is_less, slice2cost_pair_0_18_is_less : boolean;
-    variable slice2cost_pair_0_19_is_less, slice2cost_pair_0_20_is_less, slice2cost_pair_0_21_is_less : boolean;
-    variable slice2cost_pair_0_22_is_less, slice2cost_pair_0_23_is_less, slice2cost_pair_0_24_is_less : boolean;
+    variable slice2cost_difference_1_22_value, slice2cost_difference_1_23_value : boolean;
     variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
     variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
     variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
@@ -1083,13 +1114,7 @@ begin
     variable slice3cost_difference_1_16_value, slice3cost_difference_1_17_value : boolean;
     variable slice3cost_difference_1_18_value, slice3cost_difference_1_19_value : boolean;
     variable slice3cost_difference_1_20_value, slice3cost_difference_1_21_value : boolean;
-    variable slice3cost_difference_1_22_value, slice3cost_difference_1_23_value, slice3cost_pair_0_0_is_less : boolean;
-    variable slice3cost_pair_0_1_is_less, slice3cost_pair_0_2_is_less, slice3cost_pair_0_3_is_less : boolean;
-    variable slice3cost_pair_0_4_is_less, slice3cost_pair_0_5_is_less, slice3cost_pair_0_6_is_less : boolean;
-    variable slice3cost_pair_0_7_is_less, slice3cost_pair_0_8_is_less, slice3cost_pair_0_15_is_less : boolean;
-    variable slice3cost_pair_0_16_is_less, slice3cost_pair_0_17_is_less, slice3cost_pair_0_18_is_less : boolean;
-    variable slice3cost_pair_0_19_is_less, slice3cost_pair_0_20_is_less, slice3cost_pair_0_21_is_less : boolean;
-    variable slice3cost_pair_0_22_is_less, slice3cost_pair_0_23_is_less, slice3cost_pair_0_24_is_less : boolean;
+    variable slice3cost_difference_1_22_value, slice3cost_difference_1_23_value : boolean;
     variable slice3winner1_of_pair_0_0_is_less, slice3winner1_of_pair_0_2_is_less : boolean;
     variable slice3winner1_of_pair_0_4_is_less, slice3winner1_of_pair_0_6_is_less : boolean;
     variable slice3winner1_of_pair_0_8_is_less, slice3winner1_of_pair_0_10_is_less : boolean;
@@ -1304,6 +1329,56 @@ begin
     variable slice3cost_difference_1_22_choice, slice3cost_difference_1_22_choice_2 : natural range 0 to 255;
     variable slice3cost_difference_1_23_choice, slice3cost_difference_1_23_choice_2 : natural range 0 to 255;
     variable slice3cost_difference_1_24_choice, slice3cost_difference_1_24_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_2_0_difference, slice0cost_difference_2_1_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_2_difference, slice0cost_difference_2_3_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_4_difference, slice0cost_difference_2_5_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_6_difference, slice0cost_difference_2_7_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_8_difference, slice0cost_difference_2_9_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_10_difference, slice0cost_difference_2_11_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_12_difference, slice0cost_difference_2_13_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_14_difference, slice0cost_difference_2_15_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_16_difference, slice0cost_difference_2_17_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_18_difference, slice0cost_difference_2_19_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_20_difference, slice0cost_difference_2_21_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_22_difference, slice0cost_difference_2_23_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_24_difference, slice1cost_difference_2_0_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_1_difference, slice1cost_difference_2_2_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_3_difference, slice1cost_difference_2_4_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_5_difference, slice1cost_difference_2_6_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_7_difference, slice1cost_difference_2_8_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_9_difference, slice1cost_difference_2_10_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_11_difference, slice1cost_difference_2_12_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_13_difference, slice1cost_difference_2_14_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_15_difference, slice1cost_difference_2_16_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_17_difference, slice1cost_difference_2_18_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_19_difference, slice1cost_difference_2_20_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_21_difference, slice1cost_difference_2_22_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_23_difference, slice1cost_difference_2_24_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_0_difference, slice2cost_difference_2_1_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_2_difference, slice2cost_difference_2_3_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_4_difference, slice2cost_difference_2_5_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_6_difference, slice2cost_difference_2_7_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_8_difference, slice2cost_difference_2_9_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_10_difference, slice2cost_difference_2_11_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_12_difference, slice2cost_difference_2_13_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_14_difference, slice2cost_difference_2_15_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_16_difference, slice2cost_difference_2_17_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_18_difference, slice2cost_difference_2_19_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_20_difference, slice2cost_difference_2_21_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_22_difference, slice2cost_difference_2_23_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_24_difference, slice3cost_difference_2_0_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_1_difference, slice3cost_difference_2_2_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_3_difference, slice3cost_difference_2_4_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_5_difference, slice3cost_difference_2_6_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_7_difference, slice3cost_difference_2_8_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_9_difference, slice3cost_difference_2_10_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_11_difference, slice3cost_difference_2_12_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_13_difference, slice3cost_difference_2_14_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_15_difference, slice3cost_difference_2_16_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_17_difference, slice3cost_difference_2_18_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_19_difference, slice3cost_difference_2_20_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_21_difference, slice3cost_difference_2_22_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_23_difference, slice3cost_difference_2_24_difference : integer range -255 to 255;
   begin
     if rising_edge(clock) then
       -- raster
@@ -1376,12 +1451,14 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_write_column <= rows_ready_column;
       rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0;
       rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      rows_inside_2 <= rows_ready_inside_2;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
@@ -1392,7 +1469,6 @@ begin
           256);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_newest_0 * 256) +
           (rows_reference_rows_ready_words_0 / 256);
-        rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
       if rows_tag_valid then
@@ -1479,11 +1555,15 @@ begin
       slice0shift_search_out_1 <= slice0shift_search_1_0;
       slice0shift_search_out_2 <= slice0shift_search_2_0;
       slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_newest_inside <= rows_inside_2;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
+      if rows_ready_tag_valid then
+        slice0cost_signs_column <= rows_ready_column;
+      end if;
       slice0cost_difference_0_0_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
         slice0shift_search_0_0;
       slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
@@ -1730,25 +1810,33 @@ begin
         else slice0shift_search_1_24;
       slice0cost_difference_1_24_choice_2 := slice0shift_search_1_24 when (slice0cost_signs_ready_words_1 / 16777216) =
         1 else slice0shift_reference_1;
-      slice0cost_pair_0_0_is_less := slice0cost_difference_2_0 < 0;
-      slice0cost_pair_0_1_is_less := slice0cost_difference_2_1 < 0;
-      slice0cost_pair_0_2_is_less := slice0cost_difference_2_2 < 0;
-      slice0cost_pair_0_3_is_less := slice0cost_difference_2_3 < 0;
-      slice0cost_pair_0_4_is_less := slice0cost_difference_2_4 < 0;
-      slice0cost_pair_0_5_is_less := slice0cost_difference_2_5 < 0;
-      slice0cost_pair_0_6_is_less := slice0cost_difference_2_6 < 0;
-      slice0cost_pair_0_7_is_less := slice0cost_difference_2_7 < 0;
-      slice0cost_pair_0_8_is_less := slice0cost_difference_2_8 < 0;
-      slice0cost_pair_0_15_is_less := slice0cost_difference_2_15 < 0;
-      slice0cost_pair_0_16_is_less := slice0cost_difference_2_16 < 0;
-      slice0cost_pair_0_17_is_less := slice0cost_difference_2_17 < 0;
-      slice0cost_pair_0_18_is_less := slice0cost_difference_2_18 < 0;
-      slice0cost_pair_0_19_is_less := slice0cost_difference_2_19 < 0;
-      slice0cost_pair_0_20_is_less := slice0cost_difference_2_20 < 0;
-      slice0cost_pair_0_21_is_less := slice0cost_difference_2_21 < 0;
-      slice0cost_pair_0_22_is_less := slice0cost_difference_2_22 < 0;
-      slice0cost_pair_0_23_is_less := slice0cost_difference_2_23 < 0;
-      slice0cost_pair_0_24_is_less := slice0cost_difference_2_24 < 0;
+      slice0cost_difference_2_0_difference := slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1_difference := slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2_difference := slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_2_3_difference := slice0shift_search_2_3 - slice0shift_reference_2;
+      slice0cost_difference_2_4_difference := slice0shift_search_2_4 - slice0shift_reference_2;
+      slice0cost_difference_2_5_difference := slice0shift_search_2_5 - slice0shift_reference_2;
+      slice0cost_difference_2_6_difference := slice0shift_search_2_6 - slice0shift_reference_2;
+      slice0cost_difference_2_7_difference := slice0shift_search_2_7 - slice0shift_reference_2;
+      slice0cost_difference_2_8_difference := slice0shift_search_2_8 - slice0shift_reference_2;
+      slice0cost_difference_2_9_difference := slice0shift_search_2_9 - slice0shift_reference_2;
+      slice0cost_difference_2_10_difference := slice0shift_search_2_10 - slice0shift_reference_2;
+      slice0cost_difference_2_11_difference := slice0shift_search_2_11 - slice0shift_reference_2;
+      slice0cost_difference_2_12_difference := slice0shift_search_2_12 - slice0shift_reference_2;
+      slice0cost_difference_2_13_difference := slice0shift_search_2_13 - slice0shift_reference_2;
+      slice0cost_difference_2_14_difference := slice0shift_search_2_14 - slice0shift_reference_2;
+      slice0cost_difference_2_15_difference := slice0shift_search_2_15 - slice0shift_reference_2;
+      slice0cost_difference_2_16_difference := slice0shift_search_2_16 - slice0shift_reference_2;
+      slice0cost_difference_2_17_difference := slice0shift_search_2_17 - slice0shift_reference_2;
+      slice0cost_difference_2_18_difference := slice0shift_search_2_18 - slice0shift_reference_2;
+      slice0cost_difference_2_19_difference := slice0shift_search_2_19 - slice0shift_reference_2;
+      slice0cost_difference_2_20_difference := slice0shift_search_2_20 - slice0shift_reference_2;
+      slice0cost_difference_2_21_difference := slice0shift_search_2_21 - slice0shift_reference_2;
+      slice0cost_difference_2_22_difference := slice0shift_search_2_22 - slice0shift_reference_2;
+      slice0cost_difference_2_23_difference := slice0shift_search_2_23 - slice0shift_reference_2;
+      slice0cost_difference_2_24_difference := slice0shift_search_2_24 - slice0shift_reference_2;
+      slice0cost_signs_next_column <= rows_write_column;
+      slice0cost_signs_difference_column <= slice0cost_signs_next_column;
       slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
       slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
       slice0cost_signs_known_words_1 <= slice0cost_signs_ready_words_1;
@@ -1802,49 +1890,79 @@ begin
       slice0cost_difference_1_22 <= (slice0cost_difference_1_22_choice - slice0cost_difference_1_22_choice_2) mod 256;
       slice0cost_difference_1_23 <= (slice0cost_difference_1_23_choice - slice0cost_difference_1_23_choice_2) mod 256;
       slice0cost_difference_1_24 <= (slice0cost_difference_1_24_choice - slice0cost_difference_1_24_choice_2) mod 256;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
-      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
-      slice0cost_difference_2_5 <= slice0shift_search_2_5 - slice0shift_reference_2;
-      slice0cost_difference_2_6 <= slice0shift_search_2_6 - slice0shift_reference_2;
-      slice0cost_difference_2_7 <= slice0shift_search_2_7 - slice0shift_reference_2;
-      slice0cost_difference_2_8 <= slice0shift_search_2_8 - slice0shift_reference_2;
-      slice0cost_difference_2_9 <= slice0shift_search_2_9 - slice0shift_reference_2;
-      slice0cost_difference_2_10 <= slice0shift_search_2_10 - slice0shift_reference_2;
-      slice0cost_difference_2_11 <= slice0shift_search_2_11 - slice0shift_reference_2;
-      slice0cost_difference_2_12 <= slice0shift_search_2_12 - slice0shift_reference_2;
-      slice0cost_difference_2_13 <= slice0shift_search_2_13 - slice0shift_reference_2;
-      slice0cost_difference_2_14 <= slice0shift_search_2_14 - slice0shift_reference_2;
-      slice0cost_difference_2_15 <= slice0shift_search_2_15 - slice0shift_reference_2;
-      slice0cost_difference_2_16 <= slice0shift_search_2_16 - slice0shift_reference_2;
-      slice0cost_difference_2_17 <= slice0shift_search_2_17 - slice0shift_reference_2;
-      slice0cost_difference_2_18 <= slice0shift_search_2_18 - slice0shift_reference_2;
-      slice0cost_difference_2_19 <= slice0shift_search_2_19 - slice0shift_reference_2;
-      slice0cost_difference_2_20 <= slice0shift_search_2_20 - slice0shift_reference_2;
-      slice0cost_difference_2_21 <= slice0shift_search_2_21 - slice0shift_reference_2;
-      slice0cost_difference_2_22 <= slice0shift_search_2_22 - slice0shift_reference_2;
-      slice0cost_difference_2_23 <= slice0shift_search_2_23 - slice0shift_reference_2;
-      slice0cost_difference_2_24 <= slice0shift_search_2_24 - slice0shift_reference_2;
+      slice0cost_difference_2_0 <= slice0cost_difference_2_0_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_1 <= slice0cost_difference_2_1_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_2 <= slice0cost_difference_2_2_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_3 <= slice0cost_difference_2_3_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_4 <= slice0cost_difference_2_4_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_5 <= slice0cost_difference_2_5_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_6 <= slice0cost_difference_2_6_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_7 <= slice0cost_difference_2_7_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_8 <= slice0cost_difference_2_8_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_9 <= slice0cost_difference_2_9_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_10 <= slice0cost_difference_2_10_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_11 <= slice0cost_difference_2_11_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_12 <= slice0cost_difference_2_12_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_13 <= slice0cost_difference_2_13_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_14 <= slice0cost_difference_2_14_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_15 <= slice0cost_difference_2_15_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_16 <= slice0cost_difference_2_16_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_17 <= slice0cost_difference_2_17_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_18 <= slice0cost_difference_2_18_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_19 <= slice0cost_difference_2_19_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_20 <= slice0cost_difference_2_20_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_21 <= slice0cost_difference_2_21_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_22 <= slice0cost_difference_2_22_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_23 <= slice0cost_difference_2_23_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_difference_2_24 <= slice0cost_difference_2_24_difference when slice0shift_tag_newest_inside else 0;
+      slice0cost_newest_negative_0_0 <= slice0cost_difference_2_0_difference < 0;
+      slice0cost_newest_negative_0_1 <= slice0cost_difference_2_1_difference < 0;
+      slice0cost_newest_negative_0_2 <= slice0cost_difference_2_2_difference < 0;
+      slice0cost_newest_negative_0_3 <= slice0cost_difference_2_3_difference < 0;
+      slice0cost_newest_negative_0_4 <= slice0cost_difference_2_4_difference < 0;
+      slice0cost_newest_negative_0_5 <= slice0cost_difference_2_5_difference < 0;
+      slice0cost_newest_negative_0_6 <= slice0cost_difference_2_6_difference < 0;
+      slice0cost_newest_negative_0_7 <= slice0cost_difference_2_7_difference < 0;
+      slice0cost_newest_negative_0_8 <= slice0cost_difference_2_8_difference < 0;
+      slice0cost_newest_negative_0_9 <= slice0cost_difference_2_9_difference < 0;
+      slice0cost_newest_negative_0_10 <= slice0cost_difference_2_10_difference < 0;
+      slice0cost_newest_negative_0_11 <= slice0cost_difference_2_11_difference < 0;
+      slice0cost_newest_negative_0_12 <= slice0cost_difference_2_12_difference < 0;
+      slice0cost_newest_negative_0_13 <= slice0cost_difference_2_13_difference < 0;
+      slice0cost_newest_negative_0_14 <= slice0cost_difference_2_14_difference < 0;
+      slice0cost_newest_negative_0_15 <= slice0cost_difference_2_15_difference < 0;
+      slice0cost_newest_negative_0_16 <= slice0cost_difference_2_16_difference < 0;
+      slice0cost_newest_negative_0_17 <= slice0cost_difference_2_17_difference < 0;
+      slice0cost_newest_negative_0_18 <= slice0cost_difference_2_18_difference < 0;
+      slice0cost_newest_negative_0_19 <= slice0cost_difference_2_19_difference < 0;
+      slice0cost_newest_negative_0_20 <= slice0cost_difference_2_20_difference < 0;
+      slice0cost_newest_negative_0_21 <= slice0cost_difference_2_21_difference < 0;
+      slice0cost_newest_negative_0_22 <= slice0cost_difference_2_22_difference < 0;
+      slice0cost_newest_negative_0_23 <= slice0cost_difference_2_23_difference < 0;
+      slice0cost_newest_negative_0_24 <= slice0cost_difference_2_24_difference < 0;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pair_0_0 <= as_number(slice0cost_pair_0_0_is_less) + slice0cost_difference_1_0 +
+      slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
+      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= as_number((slice0cost_difference_2_0 < 0)) + slice0cost_difference_1_0 +
         folded(slice0cost_difference_2_0);
-      slice0cost_pair_0_1 <= as_number(slice0cost_pair_0_1_is_less) + slice0cost_difference_1_1 +
+      slice0cost_pair_0_1 <= as_number((slice0cost_difference_2_1 < 0)) + slice0cost_difference_1_1 +
         folded(slice0cost_difference_2_1);
-      slice0cost_pair_0_2 <= as_number(slice0cost_pair_0_2_is_less) + slice0cost_difference_1_2 +
+      slice0cost_pair_0_2 <= as_number((slice0cost_difference_2_2 < 0)) + slice0cost_difference_1_2 +
         folded(slice0cost_difference_2_2);
-      slice0cost_pair_0_3 <= as_number(slice0cost_pair_0_3_is_less) + slice0cost_difference_1_3 +
+      slice0cost_pair_0_3 <= as_number((slice0cost_difference_2_3 < 0)) + slice0cost_difference_1_3 +
         folded(slice0cost_difference_2_3);
-      slice0cost_pair_0_4 <= as_number(slice0cost_pair_0_4_is_less) + slice0cost_difference_1_4 +
+      slice0cost_pair_0_4 <= as_number((slice0cost_difference_2_4 < 0)) + slice0cost_difference_1_4 +
         folded(slice0cost_difference_2_4);
-      slice0cost_pair_0_5 <= as_number(slice0cost_pair_0_5_is_less) + slice0cost_difference_1_5 +
+      slice0cost_pair_0_5 <= as_number((slice0cost_difference_2_5 < 0)) + slice0cost_difference_1_5 +
         folded(slice0cost_difference_2_5);
-      slice0cost_pair_0_6 <= as_number(slice0cost_pair_0_6_is_less) + slice0cost_difference_1_6 +
+      slice0cost_pair_0_6 <= as_number((slice0cost_difference_2_6 < 0)) + slice0cost_difference_1_6 +
         folded(slice0cost_difference_2_6);
-      slice0cost_pair_0_7 <= as_number(slice0cost_pair_0_7_is_less) + slice0cost_difference_1_7 +
+      slice0cost_pair_0_7 <= as_number((slice0cost_difference_2_7 < 0)) + slice0cost_difference_1_7 +
         folded(slice0cost_difference_2_7);
-      slice0cost_pair_0_8 <= as_number(slice0cost_pair_0_8_is_less) + slice0cost_difference_1_8 +
+      slice0cost_pair_0_8 <= as_number((slice0cost_difference_2_8 < 0)) + slice0cost_difference_1_8 +
         folded(slice0cost_difference_2_8);
       slice0cost_pair_0_9 <= as_number((slice0cost_difference_2_9 < 0)) + slice0cost_difference_1_9 +
         folded(slice0cost_difference_2_9);
@@ -1858,25 +1976,25 @@ begin
         folded(slice0cost_difference_2_13);
       slice0cost_pair_0_14 <= as_number((slice0cost_difference_2_14 < 0)) + slice0cost_difference_1_14 +
         folded(slice0cost_difference_2_14);
-      slice0cost_pair_0_15 <= as_number(slice0cost_pair_0_15_is_less) + slice0cost_difference_1_15 +
+      slice0cost_pair_0_15 <= as_number((slice0cost_difference_2_15 < 0)) + slice0cost_difference_1_15 +
         folded(slice0cost_difference_2_15);
-      slice0cost_pair_0_16 <= as_number(slice0cost_pair_0_16_is_less) + slice0cost_difference_1_16 +
+      slice0cost_pair_0_16 <= as_number((slice0cost_difference_2_16 < 0)) + slice0cost_difference_1_16 +
         folded(slice0cost_difference_2_16);
-      slice0cost_pair_0_17 <= as_number(slice0cost_pair_0_17_is_less) + slice0cost_difference_1_17 +
+      slice0cost_pair_0_17 <= as_number((slice0cost_difference_2_17 < 0)) + slice0cost_difference_1_17 +
         folded(slice0cost_difference_2_17);
-      slice0cost_pair_0_18 <= as_number(slice0cost_pair_0_18_is_less) + slice0cost_difference_1_18 +
+      slice0cost_pair_0_18 <= as_number((slice0cost_difference_2_18 < 0)) + slice0cost_difference_1_18 +
         folded(slice0cost_difference_2_18);
-      slice0cost_pair_0_19 <= as_number(slice0cost_pair_0_19_is_less) + slice0cost_difference_1_19 +
+      slice0cost_pair_0_19 <= as_number((slice0cost_difference_2_19 < 0)) + slice0cost_difference_1_19 +
         folded(slice0cost_difference_2_19);
-      slice0cost_pair_0_20 <= as_number(slice0cost_pair_0_20_is_less) + slice0cost_difference_1_20 +
+      slice0cost_pair_0_20 <= as_number((slice0cost_difference_2_20 < 0)) + slice0cost_difference_1_20 +
         folded(slice0cost_difference_2_20);
-      slice0cost_pair_0_21 <= as_number(slice0cost_pair_0_21_is_less) + slice0cost_difference_1_21 +
+      slice0cost_pair_0_21 <= as_number((slice0cost_difference_2_21 < 0)) + slice0cost_difference_1_21 +
         folded(slice0cost_difference_2_21);
-      slice0cost_pair_0_22 <= as_number(slice0cost_pair_0_22_is_less) + slice0cost_difference_1_22 +
+      slice0cost_pair_0_22 <= as_number((slice0cost_difference_2_22 < 0)) + slice0cost_difference_1_22 +
         folded(slice0cost_difference_2_22);
-      slice0cost_pair_0_23 <= as_number(slice0cost_pair_0_23_is_less) + slice0cost_difference_1_23 +
+      slice0cost_pair_0_23 <= as_number((slice0cost_difference_2_23 < 0)) + slice0cost_difference_1_23 +
         folded(slice0cost_difference_2_23);
-      slice0cost_pair_0_24 <= as_number(slice0cost_pair_0_24_is_less) + slice0cost_difference_1_24 +
+      slice0cost_pair_0_24 <= as_number((slice0cost_difference_2_24 < 0)) + slice0cost_difference_1_24 +
         folded(slice0cost_difference_2_24);
       slice0cost_single_0_0 <= slice0cost_difference_0_0;
       slice0cost_single_0_1 <= slice0cost_difference_0_1;
@@ -1903,7 +2021,12 @@ begin
       slice0cost_single_0_22 <= slice0cost_difference_0_22;
       slice0cost_single_0_23 <= slice0cost_difference_0_23;
       slice0cost_single_0_24 <= slice0cost_difference_0_24;
-      slice0cost_pair_tag_border_column <= other_40;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
+      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
         slice0cost_single_0_0;
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
@@ -1954,25 +2077,32 @@ begin
         slice0cost_single_0_23;
       slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
         slice0cost_single_0_24;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_newest_inside <= slice0cost_pair_tag_newest_inside;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       if slice0cost_difference_tag_valid then
+        slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words_0 <= slice0cost_signs_known_words_1;
-        slice0cost_signs_write_words_1 <= (as_number(slice0cost_pair_0_16_is_less) * 65536) +
-          ((((slice0cost_difference_2_14 mod 65536) / 16384) mod 2) * 16384) + (as_number(slice0cost_pair_0_15_is_less)
-          * 32768) + ((((slice0cost_difference_2_13 mod 65536) / 8192) mod 2) * 8192) + ((((slice0cost_difference_2_12
-          mod 65536) / 4096) mod 2) * 4096) + ((((slice0cost_difference_2_11 mod 65536) / 2048) mod 2) * 2048) +
-          ((((slice0cost_difference_2_10 mod 65536) / 1024) mod 2) * 1024) + ((((slice0cost_difference_2_9 mod 65536) /
-          512) mod 2) * 512) + (as_number(slice0cost_pair_0_8_is_less) * 256) + (as_number(slice0cost_pair_0_7_is_less)
-          * 128) + (as_number(slice0cost_pair_0_6_is_less) * 64) + (as_number(slice0cost_pair_0_5_is_less) * 32) +
-          (as_number(slice0cost_pair_0_4_is_less) * 16) + (as_number(slice0cost_pair_0_3_is_less) * 8) +
-          (as_number(slice0cost_pair_0_2_is_less) * 4) + (as_number(slice0cost_pair_0_1_is_less) * 2) +
-          as_number(slice0cost_pair_0_0_is_less) + (as_number(slice0cost_pair_0_17_is_less) * 131072) +
-          (as_number(slice0cost_pair_0_18_is_less) * 262144) + (as_number(slice0cost_pair_0_19_is_less) * 524288) +
-          (as_number(slice0cost_pair_0_23_is_less) * 8388608) + (as_number(slice0cost_pair_0_24_is_less) * 16777216) +
-          (as_number(slice0cost_pair_0_22_is_less) * 4194304) + (as_number(slice0cost_pair_0_21_is_less) * 2097152) +
-          (as_number(slice0cost_pair_0_20_is_less) * 1048576);
+        slice0cost_signs_write_words_1 <= (as_number(slice0cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice0cost_newest_negative_0_24) * 16777216) + (as_number(slice0cost_newest_negative_0_22) *
+          4194304) + (as_number(slice0cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice0cost_newest_negative_0_20) * 1048576) + (as_number(slice0cost_newest_negative_0_19) *
+          524288) + (as_number(slice0cost_newest_negative_0_18) * 262144) + (as_number(slice0cost_newest_negative_0_17)
+          * 131072) + (as_number(slice0cost_newest_negative_0_16) * 65536) +
+          (as_number(slice0cost_newest_negative_0_15) * 32768) + (as_number(slice0cost_newest_negative_0_14) * 16384) +
+          (as_number(slice0cost_newest_negative_0_13) * 8192) + (as_number(slice0cost_newest_negative_0_12) * 4096) +
+          (as_number(slice0cost_newest_negative_0_11) * 2048) + (as_number(slice0cost_newest_negative_0_10) * 1024) +
+          (as_number(slice0cost_newest_negative_0_9) * 512) + (as_number(slice0cost_newest_negative_0_8) * 256) +
+          (as_number(slice0cost_newest_negative_0_6) * 64) + (as_number(slice0cost_newest_negative_0_7) * 128) +
+          (as_number(slice0cost_newest_negative_0_5) * 32) + (as_number(slice0cost_newest_negative_0_4) * 16) +
+          (as_number(slice0cost_newest_negative_0_3) * 8) + (as_number(slice0cost_newest_negative_0_2) * 4) +
+          as_number(slice0cost_newest_negative_0_0) + (as_number(slice0cost_newest_negative_0_1) * 2);
       end if;
       -- slice0window
-      if slice2cost_difference_tag_valid then
+      if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
         slice0window_partial_0_0_1 <= slice0cost_column_0_1;
         slice0window_partial_0_0_2 <= slice0cost_column_0_2;
@@ -2024,9 +2154,9 @@ begin
         slice0window_partial_0_1_23 <= slice0cost_column_0_23 + slice0window_partial_0_0_23;
         slice0window_partial_0_1_24 <= slice0cost_column_0_24 + slice0window_partial_0_0_24;
       end if;
-      slice0window_centre_output_column <= other_38;
-      slice0window_centre_start_of_frame <= other_44;
-      slice0window_centre_end_of_line <= other_47;
+      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
@@ -2052,6 +2182,10 @@ begin
       slice0window_sum_0_22 <= slice0cost_column_0_22 + slice0window_partial_0_1_22;
       slice0window_sum_0_23 <= slice0cost_column_0_23 + slice0window_partial_0_1_23;
       slice0window_sum_0_24 <= slice0cost_column_0_24 + slice0window_partial_0_1_24;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_output_column <= slice0window_centre_output_column_0;
+      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
       slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
@@ -2120,6 +2254,11 @@ begin
       slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
       slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
       slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
+      slice0winner1_pair_index_0_12 <= 24;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
       slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
       slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
       slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
@@ -2157,6 +2296,8 @@ begin
         slice0winner1_pair_index_0_8;
       slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
         slice0winner1_pair_index_0_10;
+      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
         (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
         (to_unsigned(slice0winner1_of_four_0_0, 12))));
@@ -2182,6 +2323,16 @@ begin
       slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
       slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
       slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
+      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_four_tag_valid then
+        slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+        slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      end if;
       -- slice0winner2
       slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
@@ -2204,7 +2355,11 @@ begin
         slice0winner1_best_index_0_2;
       slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_pair_index_0_3 <= other_49;
+      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
+      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
       slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
       slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
       slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
@@ -2216,6 +2371,10 @@ begin
         slice0winner2_pair_index_0_0;
       slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
         slice0winner2_pair_index_0_2;
+      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
+      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
+      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
+      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
       slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
         (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
         (to_unsigned(slice0winner2_of_four_0_0, 12))));
@@ -2223,15 +2382,27 @@ begin
         (to_unsigned(slice0winner2_of_four_0_6, 12)))) or (to_unsigned(slice0winner2_of_four_0_4, 12))));
       slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
       slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
+      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 75;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -2563,25 +2734,32 @@ begin
         else slice1shift_search_1_24;
       slice1cost_difference_1_24_choice_2 := slice1shift_search_1_24 when (slice1cost_signs_ready_words_1 / 16777216) =
         1 else slice1shift_reference_1;
-      slice1cost_pair_0_0_is_less := slice1cost_difference_2_0 < 0;
-      slice1cost_pair_0_1_is_less := slice1cost_difference_2_1 < 0;
-      slice1cost_pair_0_2_is_less := slice1cost_difference_2_2 < 0;
-      slice1cost_pair_0_3_is_less := slice1cost_difference_2_3 < 0;
-      slice1cost_pair_0_4_is_less := slice1cost_difference_2_4 < 0;
-      slice1cost_pair_0_5_is_less := slice1cost_difference_2_5 < 0;
-      slice1cost_pair_0_6_is_less := slice1cost_difference_2_6 < 0;
-      slice1cost_pair_0_7_is_less := slice1cost_difference_2_7 < 0;
-      slice1cost_pair_0_8_is_less := slice1cost_difference_2_8 < 0;
-      slice1cost_pair_0_15_is_less := slice1cost_difference_2_15 < 0;
-      slice1cost_pair_0_16_is_less := slice1cost_difference_2_16 < 0;
-      slice1cost_pair_0_17_is_less := slice1cost_difference_2_17 < 0;
-      slice1cost_pair_0_18_is_less := slice1cost_difference_2_18 < 0;
-      slice1cost_pair_0_19_is_less := slice1cost_difference_2_19 < 0;
-      slice1cost_pair_0_20_is_less := slice1cost_difference_2_20 < 0;
-      slice1cost_pair_0_21_is_less := slice1cost_difference_2_21 < 0;
-      slice1cost_pair_0_22_is_less := slice1cost_difference_2_22 < 0;
-      slice1cost_pair_0_23_is_less := slice1cost_difference_2_23 < 0;
-      slice1cost_pair_0_24_is_less := slice1cost_difference_2_24 < 0;
+      slice1cost_difference_2_0_difference := slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1_difference := slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2_difference := slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_2_3_difference := slice1shift_search_2_3 - slice1shift_reference_2;
+      slice1cost_difference_2_4_difference := slice1shift_search_2_4 - slice1shift_reference_2;
+      slice1cost_difference_2_5_difference := slice1shift_search_2_5 - slice1shift_reference_2;
+      slice1cost_difference_2_6_difference := slice1shift_search_2_6 - slice1shift_reference_2;
+      slice1cost_difference_2_7_difference := slice1shift_search_2_7 - slice1shift_reference_2;
+      slice1cost_difference_2_8_difference := slice1shift_search_2_8 - slice1shift_reference_2;
+      slice1cost_difference_2_9_difference := slice1shift_search_2_9 - slice1shift_reference_2;
+      slice1cost_difference_2_10_difference := slice1shift_search_2_10 - slice1shift_reference_2;
+      slice1cost_difference_2_11_difference := slice1shift_search_2_11 - slice1shift_reference_2;
+      slice1cost_difference_2_12_difference := slice1shift_search_2_12 - slice1shift_reference_2;
+      slice1cost_difference_2_13_difference := slice1shift_search_2_13 - slice1shift_reference_2;
+      slice1cost_difference_2_14_difference := slice1shift_search_2_14 - slice1shift_reference_2;
+      slice1cost_difference_2_15_difference := slice1shift_search_2_15 - slice1shift_reference_2;
+      slice1cost_difference_2_16_difference := slice1shift_search_2_16 - slice1shift_reference_2;
+      slice1cost_difference_2_17_difference := slice1shift_search_2_17 - slice1shift_reference_2;
+      slice1cost_difference_2_18_difference := slice1shift_search_2_18 - slice1shift_reference_2;
+      slice1cost_difference_2_19_difference := slice1shift_search_2_19 - slice1shift_reference_2;
+      slice1cost_difference_2_20_difference := slice1shift_search_2_20 - slice1shift_reference_2;
+      slice1cost_difference_2_21_difference := slice1shift_search_2_21 - slice1shift_reference_2;
+      slice1cost_difference_2_22_difference := slice1shift_search_2_22 - slice1shift_reference_2;
+      slice1cost_difference_2_23_difference := slice1shift_search_2_23 - slice1shift_reference_2;
+      slice1cost_difference_2_24_difference := slice1shift_search_2_24 - slice1shift_reference_2;
+      slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
       slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
       slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
       slice1cost_signs_known_words_1 <= slice1cost_signs_ready_words_1;
@@ -2635,49 +2813,98 @@ begin
       slice1cost_difference_1_22 <= (slice1cost_difference_1_22_choice - slice1cost_difference_1_22_choice_2) mod 256;
       slice1cost_difference_1_23 <= (slice1cost_difference_1_23_choice - slice1cost_difference_1_23_choice_2) mod 256;
       slice1cost_difference_1_24 <= (slice1cost_difference_1_24_choice - slice1cost_difference_1_24_choice_2) mod 256;
-      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_difference_2_3 <= slice1shift_search_2_3 - slice1shift_reference_2;
-      slice1cost_difference_2_4 <= slice1shift_search_2_4 - slice1shift_reference_2;
-      slice1cost_difference_2_5 <= slice1shift_search_2_5 - slice1shift_reference_2;
-      slice1cost_difference_2_6 <= slice1shift_search_2_6 - slice1shift_reference_2;
-      slice1cost_difference_2_7 <= slice1shift_search_2_7 - slice1shift_reference_2;
-      slice1cost_difference_2_8 <= slice1shift_search_2_8 - slice1shift_reference_2;
-      slice1cost_difference_2_9 <= slice1shift_search_2_9 - slice1shift_reference_2;
-      slice1cost_difference_2_10 <= slice1shift_search_2_10 - slice1shift_reference_2;
-      slice1cost_difference_2_11 <= slice1shift_search_2_11 - slice1shift_reference_2;
-      slice1cost_difference_2_12 <= slice1shift_search_2_12 - slice1shift_reference_2;
-      slice1cost_difference_2_13 <= slice1shift_search_2_13 - slice1shift_reference_2;
-      slice1cost_difference_2_14 <= slice1shift_search_2_14 - slice1shift_reference_2;
-      slice1cost_difference_2_15 <= slice1shift_search_2_15 - slice1shift_reference_2;
-      slice1cost_difference_2_16 <= slice1shift_search_2_16 - slice1shift_reference_2;
-      slice1cost_difference_2_17 <= slice1shift_search_2_17 - slice1shift_reference_2;
-      slice1cost_difference_2_18 <= slice1shift_search_2_18 - slice1shift_reference_2;
-      slice1cost_difference_2_19 <= slice1shift_search_2_19 - slice1shift_reference_2;
-      slice1cost_difference_2_20 <= slice1shift_search_2_20 - slice1shift_reference_2;
-      slice1cost_difference_2_21 <= slice1shift_search_2_21 - slice1shift_reference_2;
-      slice1cost_difference_2_22 <= slice1shift_search_2_22 - slice1shift_reference_2;
-      slice1cost_difference_2_23 <= slice1shift_search_2_23 - slice1shift_reference_2;
-      slice1cost_difference_2_24 <= slice1shift_search_2_24 - slice1shift_reference_2;
-      slice1cost_difference_tag_valid <= slice0cost_difference_tag_valid;
-      slice1cost_pair_0_0 <= as_number(slice1cost_pair_0_0_is_less) + slice1cost_difference_1_0 +
+      slice1cost_difference_2_0 <= slice1cost_difference_2_0_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_1 <= slice1cost_difference_2_1_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_2 <= slice1cost_difference_2_2_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_3 <= slice1cost_difference_2_3_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_4 <= slice1cost_difference_2_4_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_5 <= slice1cost_difference_2_5_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_6 <= slice1cost_difference_2_6_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_7 <= slice1cost_difference_2_7_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_8 <= slice1cost_difference_2_8_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_9 <= slice1cost_difference_2_9_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_10 <= slice1cost_difference_2_10_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_11 <= slice1cost_difference_2_11_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_12 <= slice1cost_difference_2_12_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_13 <= slice1cost_difference_2_13_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_14 <= slice1cost_difference_2_14_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_15 <= slice1cost_difference_2_15_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_16 <= slice1cost_difference_2_16_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_17 <= slice1cost_difference_2_17_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_18 <= slice1cost_difference_2_18_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_19 <= slice1cost_difference_2_19_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_20 <= slice1cost_difference_2_20_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_21 <= slice1cost_difference_2_21_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_22 <= slice1cost_difference_2_22_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_23 <= slice1cost_difference_2_23_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_difference_2_24 <= slice1cost_difference_2_24_difference when slice0cost_difference_tag_newest_inside
+        else 0;
+      slice1cost_newest_negative_0_0 <= slice1cost_difference_2_0_difference < 0;
+      slice1cost_newest_negative_0_1 <= slice1cost_difference_2_1_difference < 0;
+      slice1cost_newest_negative_0_2 <= slice1cost_difference_2_2_difference < 0;
+      slice1cost_newest_negative_0_3 <= slice1cost_difference_2_3_difference < 0;
+      slice1cost_newest_negative_0_4 <= slice1cost_difference_2_4_difference < 0;
+      slice1cost_newest_negative_0_5 <= slice1cost_difference_2_5_difference < 0;
+      slice1cost_newest_negative_0_6 <= slice1cost_difference_2_6_difference < 0;
+      slice1cost_newest_negative_0_7 <= slice1cost_difference_2_7_difference < 0;
+      slice1cost_newest_negative_0_8 <= slice1cost_difference_2_8_difference < 0;
+      slice1cost_newest_negative_0_9 <= slice1cost_difference_2_9_difference < 0;
+      slice1cost_newest_negative_0_10 <= slice1cost_difference_2_10_difference < 0;
+      slice1cost_newest_negative_0_11 <= slice1cost_difference_2_11_difference < 0;
+      slice1cost_newest_negative_0_12 <= slice1cost_difference_2_12_difference < 0;
+      slice1cost_newest_negative_0_13 <= slice1cost_difference_2_13_difference < 0;
+      slice1cost_newest_negative_0_14 <= slice1cost_difference_2_14_difference < 0;
+      slice1cost_newest_negative_0_15 <= slice1cost_difference_2_15_difference < 0;
+      slice1cost_newest_negative_0_16 <= slice1cost_difference_2_16_difference < 0;
+      slice1cost_newest_negative_0_17 <= slice1cost_difference_2_17_difference < 0;
+      slice1cost_newest_negative_0_18 <= slice1cost_difference_2_18_difference < 0;
+      slice1cost_newest_negative_0_19 <= slice1cost_difference_2_19_difference < 0;
+      slice1cost_newest_negative_0_20 <= slice1cost_difference_2_20_difference < 0;
+      slice1cost_newest_negative_0_21 <= slice1cost_difference_2_21_difference < 0;
+      slice1cost_newest_negative_0_22 <= slice1cost_difference_2_22_difference < 0;
+      slice1cost_newest_negative_0_23 <= slice1cost_difference_2_23_difference < 0;
+      slice1cost_newest_negative_0_24 <= slice1cost_difference_2_24_difference < 0;
+      slice1cost_pair_0_0 <= as_number((slice1cost_difference_2_0 < 0)) + slice1cost_difference_1_0 +
         folded(slice1cost_difference_2_0);
-      slice1cost_pair_0_1 <= as_number(slice1cost_pair_0_1_is_less) + slice1cost_difference_1_1 +
+      slice1cost_pair_0_1 <= as_number((slice1cost_difference_2_1 < 0)) + slice1cost_difference_1_1 +
         folded(slice1cost_difference_2_1);
-      slice1cost_pair_0_2 <= as_number(slice1cost_pair_0_2_is_less) + slice1cost_difference_1_2 +
+      slice1cost_pair_0_2 <= as_number((slice1cost_difference_2_2 < 0)) + slice1cost_difference_1_2 +
         folded(slice1cost_difference_2_2);
-      slice1cost_pair_0_3 <= as_number(slice1cost_pair_0_3_is_less) + slice1cost_difference_1_3 +
+      slice1cost_pair_0_3 <= as_number((slice1cost_difference_2_3 < 0)) + slice1cost_difference_1_3 +
         folded(slice1cost_difference_2_3);
-      slice1cost_pair_0_4 <= as_number(slice1cost_pair_0_4_is_less) + slice1cost_difference_1_4 +
+      slice1cost_pair_0_4 <= as_number((slice1cost_difference_2_4 < 0)) + slice1cost_difference_1_4 +
         folded(slice1cost_difference_2_4);
-      slice1cost_pair_0_5 <= as_number(slice1cost_pair_0_5_is_less) + slice1cost_difference_1_5 +
+      slice1cost_pair_0_5 <= as_number((slice1cost_difference_2_5 < 0)) + slice1cost_difference_1_5 +
         folded(slice1cost_difference_2_5);
-      slice1cost_pair_0_6 <= as_number(slice1cost_pair_0_6_is_less) + slice1cost_difference_1_6 +
+      slice1cost_pair_0_6 <= as_number((slice1cost_difference_2_6 < 0)) + slice1cost_difference_1_6 +
         folded(slice1cost_difference_2_6);
-      slice1cost_pair_0_7 <= as_number(slice1cost_pair_0_7_is_less) + slice1cost_difference_1_7 +
+      slice1cost_pair_0_7 <= as_number((slice1cost_difference_2_7 < 0)) + slice1cost_difference_1_7 +
         folded(slice1cost_difference_2_7);
-      slice1cost_pair_0_8 <= as_number(slice1cost_pair_0_8_is_less) + slice1cost_difference_1_8 +
+      slice1cost_pair_0_8 <= as_number((slice1cost_difference_2_8 < 0)) + slice1cost_difference_1_8 +
         folded(slice1cost_difference_2_8);
       slice1cost_pair_0_9 <= as_number((slice1cost_difference_2_9 < 0)) + slice1cost_difference_1_9 +
         folded(slice1cost_difference_2_9);
@@ -2691,25 +2918,25 @@ begin
         folded(slice1cost_difference_2_13);
       slice1cost_pair_0_14 <= as_number((slice1cost_difference_2_14 < 0)) + slice1cost_difference_1_14 +
         folded(slice1cost_difference_2_14);
-      slice1cost_pair_0_15 <= as_number(slice1cost_pair_0_15_is_less) + slice1cost_difference_1_15 +
+      slice1cost_pair_0_15 <= as_number((slice1cost_difference_2_15 < 0)) + slice1cost_difference_1_15 +
         folded(slice1cost_difference_2_15);
-      slice1cost_pair_0_16 <= as_number(slice1cost_pair_0_16_is_less) + slice1cost_difference_1_16 +
+      slice1cost_pair_0_16 <= as_number((slice1cost_difference_2_16 < 0)) + slice1cost_difference_1_16 +
         folded(slice1cost_difference_2_16);
-      slice1cost_pair_0_17 <= as_number(slice1cost_pair_0_17_is_less) + slice1cost_difference_1_17 +
+      slice1cost_pair_0_17 <= as_number((slice1cost_difference_2_17 < 0)) + slice1cost_difference_1_17 +
         folded(slice1cost_difference_2_17);
-      slice1cost_pair_0_18 <= as_number(slice1cost_pair_0_18_is_less) + slice1cost_difference_1_18 +
+      slice1cost_pair_0_18 <= as_number((slice1cost_difference_2_18 < 0)) + slice1cost_difference_1_18 +
         folded(slice1cost_difference_2_18);
-      slice1cost_pair_0_19 <= as_number(slice1cost_pair_0_19_is_less) + slice1cost_difference_1_19 +
+      slice1cost_pair_0_19 <= as_number((slice1cost_difference_2_19 < 0)) + slice1cost_difference_1_19 +
         folded(slice1cost_difference_2_19);
-      slice1cost_pair_0_20 <= as_number(slice1cost_pair_0_20_is_less) + slice1cost_difference_1_20 +
+      slice1cost_pair_0_20 <= as_number((slice1cost_difference_2_20 < 0)) + slice1cost_difference_1_20 +
         folded(slice1cost_difference_2_20);
-      slice1cost_pair_0_21 <= as_number(slice1cost_pair_0_21_is_less) + slice1cost_difference_1_21 +
+      slice1cost_pair_0_21 <= as_number((slice1cost_difference_2_21 < 0)) + slice1cost_difference_1_21 +
         folded(slice1cost_difference_2_21);
-      slice1cost_pair_0_22 <= as_number(slice1cost_pair_0_22_is_less) + slice1cost_difference_1_22 +
+      slice1cost_pair_0_22 <= as_number((slice1cost_difference_2_22 < 0)) + slice1cost_difference_1_22 +
         folded(slice1cost_difference_2_22);
-      slice1cost_pair_0_23 <= as_number(slice1cost_pair_0_23_is_less) + slice1cost_difference_1_23 +
+      slice1cost_pair_0_23 <= as_number((slice1cost_difference_2_23 < 0)) + slice1cost_difference_1_23 +
         folded(slice1cost_difference_2_23);
-      slice1cost_pair_0_24 <= as_number(slice1cost_pair_0_24_is_less) + slice1cost_difference_1_24 +
+      slice1cost_pair_0_24 <= as_number((slice1cost_difference_2_24 < 0)) + slice1cost_difference_1_24 +
         folded(slice1cost_difference_2_24);
       slice1cost_single_0_0 <= slice1cost_difference_0_0;
       slice1cost_single_0_1 <= slice1cost_difference_0_1;
@@ -2736,76 +2963,52 @@ begin
       slice1cost_single_0_22 <= slice1cost_difference_0_22;
       slice1cost_single_0_23 <= slice1cost_difference_0_23;
       slice1cost_single_0_24 <= slice1cost_difference_0_24;
-      slice1cost_pair_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice1cost_column_0_0 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_0 +
-        slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_1 +
-        slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_2 +
-        slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_3 +
-        slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_4 +
-        slice1cost_single_0_4;
-      slice1cost_column_0_5 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_5 +
-        slice1cost_single_0_5;
-      slice1cost_column_0_6 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_6 +
-        slice1cost_single_0_6;
-      slice1cost_column_0_7 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_7 +
-        slice1cost_single_0_7;
-      slice1cost_column_0_8 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_8 +
-        slice1cost_single_0_8;
-      slice1cost_column_0_9 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_9 +
-        slice1cost_single_0_9;
-      slice1cost_column_0_10 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_10 +
-        slice1cost_single_0_10;
-      slice1cost_column_0_11 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_11 +
-        slice1cost_single_0_11;
-      slice1cost_column_0_12 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_12 +
-        slice1cost_single_0_12;
-      slice1cost_column_0_13 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_13 +
-        slice1cost_single_0_13;
-      slice1cost_column_0_14 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_14 +
-        slice1cost_single_0_14;
-      slice1cost_column_0_15 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_15 +
-        slice1cost_single_0_15;
-      slice1cost_column_0_16 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_16 +
-        slice1cost_single_0_16;
-      slice1cost_column_0_17 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_17 +
-        slice1cost_single_0_17;
-      slice1cost_column_0_18 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_18 +
-        slice1cost_single_0_18;
-      slice1cost_column_0_19 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_19 +
-        slice1cost_single_0_19;
-      slice1cost_column_0_20 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_20 +
-        slice1cost_single_0_20;
-      slice1cost_column_0_21 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_21 +
-        slice1cost_single_0_21;
-      slice1cost_column_0_22 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_22 +
-        slice1cost_single_0_22;
-      slice1cost_column_0_23 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_23 +
-        slice1cost_single_0_23;
-      slice1cost_column_0_24 <= 0 when slice1cost_pair_tag_border_column else slice1cost_pair_0_24 +
-        slice1cost_single_0_24;
-      if slice1cost_difference_tag_valid then
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_5 + slice1cost_single_0_5;
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_6 + slice1cost_single_0_6;
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_7 + slice1cost_single_0_7;
+      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_8 + slice1cost_single_0_8;
+      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_9 + slice1cost_single_0_9;
+      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_10 + slice1cost_single_0_10;
+      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_11 + slice1cost_single_0_11;
+      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_12 + slice1cost_single_0_12;
+      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_13 + slice1cost_single_0_13;
+      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_14 + slice1cost_single_0_14;
+      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_15 + slice1cost_single_0_15;
+      slice1cost_column_0_16 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_16 + slice1cost_single_0_16;
+      slice1cost_column_0_17 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_17 + slice1cost_single_0_17;
+      slice1cost_column_0_18 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_18 + slice1cost_single_0_18;
+      slice1cost_column_0_19 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_19 + slice1cost_single_0_19;
+      slice1cost_column_0_20 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_20 + slice1cost_single_0_20;
+      slice1cost_column_0_21 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_21 + slice1cost_single_0_21;
+      slice1cost_column_0_22 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_22 + slice1cost_single_0_22;
+      slice1cost_column_0_23 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_23 + slice1cost_single_0_23;
+      slice1cost_column_0_24 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_24 + slice1cost_single_0_24;
+      slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_pair_tag_valid then
+        slice1cost_signs_write_column <= slice1cost_signs_difference_column;
         slice1cost_signs_write_words_0 <= slice1cost_signs_known_words_1;
-        slice1cost_signs_write_words_1 <= (as_number(slice1cost_pair_0_16_is_less) * 65536) +
-          ((((slice1cost_difference_2_14 mod 65536) / 16384) mod 2) * 16384) + (as_number(slice1cost_pair_0_15_is_less)
-          * 32768) + ((((slice1cost_difference_2_13 mod 65536) / 8192) mod 2) * 8192) + ((((slice1cost_difference_2_12
-          mod 65536) / 4096) mod 2) * 4096) + ((((slice1cost_difference_2_11 mod 65536) / 2048) mod 2) * 2048) +
-          ((((slice1cost_difference_2_10 mod 65536) / 1024) mod 2) * 1024) + ((((slice1cost_difference_2_9 mod 65536) /
-          512) mod 2) * 512) + (as_number(slice1cost_pair_0_8_is_less) * 256) + (as_number(slice1cost_pair_0_7_is_less)
-          * 128) + (as_number(slice1cost_pair_0_6_is_less) * 64) + (as_number(slice1cost_pair_0_5_is_less) * 32) +
-          (as_number(slice1cost_pair_0_4_is_less) * 16) + (as_number(slice1cost_pair_0_3_is_less) * 8) +
-          (as_number(slice1cost_pair_0_2_is_less) * 4) + (as_number(slice1cost_pair_0_1_is_less) * 2) +
-          as_number(slice1cost_pair_0_0_is_less) + (as_number(slice1cost_pair_0_17_is_less) * 131072) +
-          (as_number(slice1cost_pair_0_18_is_less) * 262144) + (as_number(slice1cost_pair_0_19_is_less) * 524288) +
-          (as_number(slice1cost_pair_0_23_is_less) * 8388608) + (as_number(slice1cost_pair_0_24_is_less) * 16777216) +
-          (as_number(slice1cost_pair_0_22_is_less) * 4194304) + (as_number(slice1cost_pair_0_21_is_less) * 2097152) +
-          (as_number(slice1cost_pair_0_20_is_less) * 1048576);
+        slice1cost_signs_write_words_1 <= (as_number(slice1cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice1cost_newest_negative_0_24) * 16777216) + (as_number(slice1cost_newest_negative_0_22) *
+          4194304) + (as_number(slice1cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice1cost_newest_negative_0_20) * 1048576) + (as_number(slice1cost_newest_negative_0_19) *
+          524288) + (as_number(slice1cost_newest_negative_0_18) * 262144) + (as_number(slice1cost_newest_negative_0_17)
+          * 131072) + (as_number(slice1cost_newest_negative_0_16) * 65536) +
+          (as_number(slice1cost_newest_negative_0_15) * 32768) + (as_number(slice1cost_newest_negative_0_14) * 16384) +
+          (as_number(slice1cost_newest_negative_0_13) * 8192) + (as_number(slice1cost_newest_negative_0_12) * 4096) +
+          (as_number(slice1cost_newest_negative_0_11) * 2048) + (as_number(slice1cost_newest_negative_0_10) * 1024) +
+          (as_number(slice1cost_newest_negative_0_9) * 512) + (as_number(slice1cost_newest_negative_0_8) * 256) +
+          (as_number(slice1cost_newest_negative_0_6) * 64) + (as_number(slice1cost_newest_negative_0_7) * 128) +
+          (as_number(slice1cost_newest_negative_0_5) * 32) + (as_number(slice1cost_newest_negative_0_4) * 16) +
+          (as_number(slice1cost_newest_negative_0_3) * 8) + (as_number(slice1cost_newest_negative_0_2) * 4) +
+          as_number(slice1cost_newest_negative_0_0) + (as_number(slice1cost_newest_negative_0_1) * 2);
       end if;
       -- slice1window
-      if slice3cost_difference_tag_valid then
+      if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
         slice1window_partial_0_0_1 <= slice1cost_column_0_1;
         slice1window_partial_0_0_2 <= slice1cost_column_0_2;
@@ -2857,9 +3060,6 @@ begin
         slice1window_partial_0_1_23 <= slice1cost_column_0_23 + slice1window_partial_0_0_23;
         slice1window_partial_0_1_24 <= slice1cost_column_0_24 + slice1window_partial_0_0_24;
       end if;
-      slice1window_centre_output_column <= slice0window_centre_output_column;
-      slice1window_centre_start_of_frame <= slice0window_centre_start_of_frame;
-      slice1window_centre_end_of_line <= slice0window_centre_end_of_line;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
@@ -3066,6 +3266,10 @@ begin
       slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
         (((slice1winner3_best_index_0_0 / 2) + 25) * 2) + (slice1winner3_best_index_0_0 mod 2);
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -3397,28 +3601,36 @@ begin
         else slice2shift_search_1_24;
       slice2cost_difference_1_24_choice_2 := slice2shift_search_1_24 when (slice2cost_signs_ready_words_1 / 16777216) =
         1 else slice2shift_reference_1;
-      slice2cost_pair_0_0_is_less := slice2cost_difference_2_0 < 0;
-      slice2cost_pair_0_1_is_less := slice2cost_difference_2_1 < 0;
-      slice2cost_pair_0_2_is_less := slice2cost_difference_2_2 < 0;
-      slice2cost_pair_0_3_is_less := slice2cost_difference_2_3 < 0;
-      slice2cost_pair_0_4_is_less := slice2cost_difference_2_4 < 0;
-      slice2cost_pair_0_5_is_less := slice2cost_difference_2_5 < 0;
-      slice2cost_pair_0_6_is_less := slice2cost_difference_2_6 < 0;
-      slice2cost_pair_0_7_is_less := slice2cost_difference_2_7 < 0;
-      slice2cost_pair_0_8_is_less := slice2cost_difference_2_8 < 0;
-      slice2cost_pair_0_15_is_less := slice2cost_difference_2_15 < 0;
-      slice2cost_pair_0_16_is_less := slice2cost_difference_2_16 < 0;
-      slice2cost_pair_0_17_is_less := slice2cost_difference_2_17 < 0;
-      slice2cost_pair_0_18_is_less := slice2cost_difference_2_18 < 0;
-      slice2cost_pair_0_19_is_less := slice2cost_difference_2_19 < 0;
-      slice2cost_pair_0_20_is_less := slice2cost_difference_2_20 < 0;
-      slice2cost_pair_0_21_is_less := slice2cost_difference_2_21 < 0;
-      slice2cost_pair_0_22_is_less := slice2cost_difference_2_22 < 0;
-      slice2cost_pair_0_23_is_less := slice2cost_difference_2_23 < 0;
-      slice2cost_pair_0_24_is_less := slice2cost_difference_2_24 < 0;
+      slice2cost_difference_2_0_difference := slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1_difference := slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_difference_2_2_difference := slice2shift_search_2_2 - slice2shift_reference_2;
+      slice2cost_difference_2_3_difference := slice2shift_search_2_3 - slice2shift_reference_2;
+      slice2cost_difference_2_4_difference := slice2shift_search_2_4 - slice2shift_reference_2;
+      slice2cost_difference_2_5_difference := slice2shift_search_2_5 - slice2shift_reference_2;
+      slice2cost_difference_2_6_difference := slice2shift_search_2_6 - slice2shift_reference_2;
+      slice2cost_difference_2_7_difference := slice2shift_search_2_7 - slice2shift_reference_2;
+      slice2cost_difference_2_8_difference := slice2shift_search_2_8 - slice2shift_reference_2;
+      slice2cost_difference_2_9_difference := slice2shift_search_2_9 - slice2shift_reference_2;
+      slice2cost_difference_2_10_difference := slice2shift_search_2_10 - slice2shift_reference_2;
+      slice2cost_difference_2_11_difference := slice2shift_search_2_11 - slice2shift_reference_2;
+      slice2cost_difference_2_12_difference := slice2shift_search_2_12 - slice2shift_reference_2;
+      slice2cost_difference_2_13_difference := slice2shift_search_2_13 - slice2shift_reference_2;
+      slice2cost_difference_2_14_difference := slice2shift_search_2_14 - slice2shift_reference_2;
+      slice2cost_difference_2_15_difference := slice2shift_search_2_15 - slice2shift_reference_2;
+      slice2cost_difference_2_16_difference := slice2shift_search_2_16 - slice2shift_reference_2;
+      slice2cost_difference_2_17_difference := slice2shift_search_2_17 - slice2shift_reference_2;
+      slice2cost_difference_2_18_difference := slice2shift_search_2_18 - slice2shift_reference_2;
+      slice2cost_difference_2_19_difference := slice2shift_search_2_19 - slice2shift_reference_2;
+      slice2cost_difference_2_20_difference := slice2shift_search_2_20 - slice2shift_reference_2;
+      slice2cost_difference_2_21_difference := slice2shift_search_2_21 - slice2shift_reference_2;
+      slice2cost_difference_2_22_difference := slice2shift_search_2_22 - slice2shift_reference_2;
+      slice2cost_difference_2_23_difference := slice2shift_search_2_23 - slice2shift_reference_2;
+      slice2cost_difference_2_24_difference := slice2shift_search_2_24 - slice2shift_reference_2;
+      slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
       slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
       slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
       slice2cost_signs_known_words_1 <= slice2cost_signs_ready_words_1;
+      slice2cost_signs_write_column <= slice2cost_signs_difference_column;
       slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
       slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
       slice2cost_difference_0_2 <= (slice2cost_difference_0_2_choice - slice2cost_difference_0_2_choice_2) mod 256;
@@ -3469,49 +3681,73 @@ begin
       slice2cost_difference_1_22 <= (slice2cost_difference_1_22_choice - slice2cost_difference_1_22_choice_2) mod 256;
       slice2cost_difference_1_23 <= (slice2cost_difference_1_23_choice - slice2cost_difference_1_23_choice_2) mod 256;
       slice2cost_difference_1_24 <= (slice2cost_difference_1_24_choice - slice2cost_difference_1_24_choice_2) mod 256;
-      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
-      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_difference_2_2 <= slice2shift_search_2_2 - slice2shift_reference_2;
-      slice2cost_difference_2_3 <= slice2shift_search_2_3 - slice2shift_reference_2;
-      slice2cost_difference_2_4 <= slice2shift_search_2_4 - slice2shift_reference_2;
-      slice2cost_difference_2_5 <= slice2shift_search_2_5 - slice2shift_reference_2;
-      slice2cost_difference_2_6 <= slice2shift_search_2_6 - slice2shift_reference_2;
-      slice2cost_difference_2_7 <= slice2shift_search_2_7 - slice2shift_reference_2;
-      slice2cost_difference_2_8 <= slice2shift_search_2_8 - slice2shift_reference_2;
-      slice2cost_difference_2_9 <= slice2shift_search_2_9 - slice2shift_reference_2;
-      slice2cost_difference_2_10 <= slice2shift_search_2_10 - slice2shift_reference_2;
-      slice2cost_difference_2_11 <= slice2shift_search_2_11 - slice2shift_reference_2;
-      slice2cost_difference_2_12 <= slice2shift_search_2_12 - slice2shift_reference_2;
-      slice2cost_difference_2_13 <= slice2shift_search_2_13 - slice2shift_reference_2;
-      slice2cost_difference_2_14 <= slice2shift_search_2_14 - slice2shift_reference_2;
-      slice2cost_difference_2_15 <= slice2shift_search_2_15 - slice2shift_reference_2;
-      slice2cost_difference_2_16 <= slice2shift_search_2_16 - slice2shift_reference_2;
-      slice2cost_difference_2_17 <= slice2shift_search_2_17 - slice2shift_reference_2;
-      slice2cost_difference_2_18 <= slice2shift_search_2_18 - slice2shift_reference_2;
-      slice2cost_difference_2_19 <= slice2shift_search_2_19 - slice2shift_reference_2;
-      slice2cost_difference_2_20 <= slice2shift_search_2_20 - slice2shift_reference_2;
-      slice2cost_difference_2_21 <= slice2shift_search_2_21 - slice2shift_reference_2;
-      slice2cost_difference_2_22 <= slice2shift_search_2_22 - slice2shift_reference_2;
-      slice2cost_difference_2_23 <= slice2shift_search_2_23 - slice2shift_reference_2;
-      slice2cost_difference_2_24 <= slice2shift_search_2_24 - slice2shift_reference_2;
-      slice2cost_difference_tag_valid <= slice1cost_difference_tag_valid;
-      slice2cost_pair_0_0 <= as_number(slice2cost_pair_0_0_is_less) + slice2cost_difference_1_0 +
+      slice2cost_difference_2_0 <= slice2cost_difference_2_0_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_1 <= slice2cost_difference_2_1_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_2 <= slice2cost_difference_2_2_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_3 <= slice2cost_difference_2_3_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_4 <= slice2cost_difference_2_4_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_5 <= slice2cost_difference_2_5_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_6 <= slice2cost_difference_2_6_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_7 <= slice2cost_difference_2_7_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_8 <= slice2cost_difference_2_8_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_9 <= slice2cost_difference_2_9_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_10 <= slice2cost_difference_2_10_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_11 <= slice2cost_difference_2_11_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_12 <= slice2cost_difference_2_12_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_13 <= slice2cost_difference_2_13_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_14 <= slice2cost_difference_2_14_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_15 <= slice2cost_difference_2_15_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_16 <= slice2cost_difference_2_16_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_17 <= slice2cost_difference_2_17_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_18 <= slice2cost_difference_2_18_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_19 <= slice2cost_difference_2_19_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_20 <= slice2cost_difference_2_20_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_21 <= slice2cost_difference_2_21_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_22 <= slice2cost_difference_2_22_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_23 <= slice2cost_difference_2_23_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_difference_2_24 <= slice2cost_difference_2_24_difference when slice0cost_pair_tag_newest_inside else 0;
+      slice2cost_newest_negative_0_0 <= slice2cost_difference_2_0_difference < 0;
+      slice2cost_newest_negative_0_1 <= slice2cost_difference_2_1_difference < 0;
+      slice2cost_newest_negative_0_2 <= slice2cost_difference_2_2_difference < 0;
+      slice2cost_newest_negative_0_3 <= slice2cost_difference_2_3_difference < 0;
+      slice2cost_newest_negative_0_4 <= slice2cost_difference_2_4_difference < 0;
+      slice2cost_newest_negative_0_5 <= slice2cost_difference_2_5_difference < 0;
+      slice2cost_newest_negative_0_6 <= slice2cost_difference_2_6_difference < 0;
+      slice2cost_newest_negative_0_7 <= slice2cost_difference_2_7_difference < 0;
+      slice2cost_newest_negative_0_8 <= slice2cost_difference_2_8_difference < 0;
+      slice2cost_newest_negative_0_9 <= slice2cost_difference_2_9_difference < 0;
+      slice2cost_newest_negative_0_10 <= slice2cost_difference_2_10_difference < 0;
+      slice2cost_newest_negative_0_11 <= slice2cost_difference_2_11_difference < 0;
+      slice2cost_newest_negative_0_12 <= slice2cost_difference_2_12_difference < 0;
+      slice2cost_newest_negative_0_13 <= slice2cost_difference_2_13_difference < 0;
+      slice2cost_newest_negative_0_14 <= slice2cost_difference_2_14_difference < 0;
+      slice2cost_newest_negative_0_15 <= slice2cost_difference_2_15_difference < 0;
+      slice2cost_newest_negative_0_16 <= slice2cost_difference_2_16_difference < 0;
+      slice2cost_newest_negative_0_17 <= slice2cost_difference_2_17_difference < 0;
+      slice2cost_newest_negative_0_18 <= slice2cost_difference_2_18_difference < 0;
+      slice2cost_newest_negative_0_19 <= slice2cost_difference_2_19_difference < 0;
+      slice2cost_newest_negative_0_20 <= slice2cost_difference_2_20_difference < 0;
+      slice2cost_newest_negative_0_21 <= slice2cost_difference_2_21_difference < 0;
+      slice2cost_newest_negative_0_22 <= slice2cost_difference_2_22_difference < 0;
+      slice2cost_newest_negative_0_23 <= slice2cost_difference_2_23_difference < 0;
+      slice2cost_newest_negative_0_24 <= slice2cost_difference_2_24_difference < 0;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_2_0 < 0)) + slice2cost_difference_1_0 +
         folded(slice2cost_difference_2_0);
-      slice2cost_pair_0_1 <= as_number(slice2cost_pair_0_1_is_less) + slice2cost_difference_1_1 +
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_2_1 < 0)) + slice2cost_difference_1_1 +
         folded(slice2cost_difference_2_1);
-      slice2cost_pair_0_2 <= as_number(slice2cost_pair_0_2_is_less) + slice2cost_difference_1_2 +
+      slice2cost_pair_0_2 <= as_number((slice2cost_difference_2_2 < 0)) + slice2cost_difference_1_2 +
         folded(slice2cost_difference_2_2);
-      slice2cost_pair_0_3 <= as_number(slice2cost_pair_0_3_is_less) + slice2cost_difference_1_3 +
+      slice2cost_pair_0_3 <= as_number((slice2cost_difference_2_3 < 0)) + slice2cost_difference_1_3 +
         folded(slice2cost_difference_2_3);
-      slice2cost_pair_0_4 <= as_number(slice2cost_pair_0_4_is_less) + slice2cost_difference_1_4 +
+      slice2cost_pair_0_4 <= as_number((slice2cost_difference_2_4 < 0)) + slice2cost_difference_1_4 +
         folded(slice2cost_difference_2_4);
-      slice2cost_pair_0_5 <= as_number(slice2cost_pair_0_5_is_less) + slice2cost_difference_1_5 +
+      slice2cost_pair_0_5 <= as_number((slice2cost_difference_2_5 < 0)) + slice2cost_difference_1_5 +
         folded(slice2cost_difference_2_5);
-      slice2cost_pair_0_6 <= as_number(slice2cost_pair_0_6_is_less) + slice2cost_difference_1_6 +
+      slice2cost_pair_0_6 <= as_number((slice2cost_difference_2_6 < 0)) + slice2cost_difference_1_6 +
         folded(slice2cost_difference_2_6);
-      slice2cost_pair_0_7 <= as_number(slice2cost_pair_0_7_is_less) + slice2cost_difference_1_7 +
+      slice2cost_pair_0_7 <= as_number((slice2cost_difference_2_7 < 0)) + slice2cost_difference_1_7 +
         folded(slice2cost_difference_2_7);
-      slice2cost_pair_0_8 <= as_number(slice2cost_pair_0_8_is_less) + slice2cost_difference_1_8 +
+      slice2cost_pair_0_8 <= as_number((slice2cost_difference_2_8 < 0)) + slice2cost_difference_1_8 +
         folded(slice2cost_difference_2_8);
       slice2cost_pair_0_9 <= as_number((slice2cost_difference_2_9 < 0)) + slice2cost_difference_1_9 +
         folded(slice2cost_difference_2_9);
@@ -3525,25 +3761,25 @@ begin
         folded(slice2cost_difference_2_13);
       slice2cost_pair_0_14 <= as_number((slice2cost_difference_2_14 < 0)) + slice2cost_difference_1_14 +
         folded(slice2cost_difference_2_14);
-      slice2cost_pair_0_15 <= as_number(slice2cost_pair_0_15_is_less) + slice2cost_difference_1_15 +
+      slice2cost_pair_0_15 <= as_number((slice2cost_difference_2_15 < 0)) + slice2cost_difference_1_15 +
         folded(slice2cost_difference_2_15);
-      slice2cost_pair_0_16 <= as_number(slice2cost_pair_0_16_is_less) + slice2cost_difference_1_16 +
+      slice2cost_pair_0_16 <= as_number((slice2cost_difference_2_16 < 0)) + slice2cost_difference_1_16 +
         folded(slice2cost_difference_2_16);
-      slice2cost_pair_0_17 <= as_number(slice2cost_pair_0_17_is_less) + slice2cost_difference_1_17 +
+      slice2cost_pair_0_17 <= as_number((slice2cost_difference_2_17 < 0)) + slice2cost_difference_1_17 +
         folded(slice2cost_difference_2_17);
-      slice2cost_pair_0_18 <= as_number(slice2cost_pair_0_18_is_less) + slice2cost_difference_1_18 +
+      slice2cost_pair_0_18 <= as_number((slice2cost_difference_2_18 < 0)) + slice2cost_difference_1_18 +
         folded(slice2cost_difference_2_18);
-      slice2cost_pair_0_19 <= as_number(slice2cost_pair_0_19_is_less) + slice2cost_difference_1_19 +
+      slice2cost_pair_0_19 <= as_number((slice2cost_difference_2_19 < 0)) + slice2cost_difference_1_19 +
         folded(slice2cost_difference_2_19);
-      slice2cost_pair_0_20 <= as_number(slice2cost_pair_0_20_is_less) + slice2cost_difference_1_20 +
+      slice2cost_pair_0_20 <= as_number((slice2cost_difference_2_20 < 0)) + slice2cost_difference_1_20 +
         folded(slice2cost_difference_2_20);
-      slice2cost_pair_0_21 <= as_number(slice2cost_pair_0_21_is_less) + slice2cost_difference_1_21 +
+      slice2cost_pair_0_21 <= as_number((slice2cost_difference_2_21 < 0)) + slice2cost_difference_1_21 +
         folded(slice2cost_difference_2_21);
-      slice2cost_pair_0_22 <= as_number(slice2cost_pair_0_22_is_less) + slice2cost_difference_1_22 +
+      slice2cost_pair_0_22 <= as_number((slice2cost_difference_2_22 < 0)) + slice2cost_difference_1_22 +
         folded(slice2cost_difference_2_22);
-      slice2cost_pair_0_23 <= as_number(slice2cost_pair_0_23_is_less) + slice2cost_difference_1_23 +
+      slice2cost_pair_0_23 <= as_number((slice2cost_difference_2_23 < 0)) + slice2cost_difference_1_23 +
         folded(slice2cost_difference_2_23);
-      slice2cost_pair_0_24 <= as_number(slice2cost_pair_0_24_is_less) + slice2cost_difference_1_24 +
+      slice2cost_pair_0_24 <= as_number((slice2cost_difference_2_24 < 0)) + slice2cost_difference_1_24 +
         folded(slice2cost_difference_2_24);
       slice2cost_single_0_0 <= slice2cost_difference_0_0;
       slice2cost_single_0_1 <= slice2cost_difference_0_1;
@@ -3570,76 +3806,51 @@ begin
       slice2cost_single_0_22 <= slice2cost_difference_0_22;
       slice2cost_single_0_23 <= slice2cost_difference_0_23;
       slice2cost_single_0_24 <= slice2cost_difference_0_24;
-      slice2cost_pair_tag_border_column <= slice1cost_pair_tag_border_column;
-      slice2cost_column_0_0 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_0 +
-        slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_1 +
-        slice2cost_single_0_1;
-      slice2cost_column_0_2 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_2 +
-        slice2cost_single_0_2;
-      slice2cost_column_0_3 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_3 +
-        slice2cost_single_0_3;
-      slice2cost_column_0_4 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_4 +
-        slice2cost_single_0_4;
-      slice2cost_column_0_5 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_5 +
-        slice2cost_single_0_5;
-      slice2cost_column_0_6 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_6 +
-        slice2cost_single_0_6;
-      slice2cost_column_0_7 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_7 +
-        slice2cost_single_0_7;
-      slice2cost_column_0_8 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_8 +
-        slice2cost_single_0_8;
-      slice2cost_column_0_9 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_9 +
-        slice2cost_single_0_9;
-      slice2cost_column_0_10 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_10 +
-        slice2cost_single_0_10;
-      slice2cost_column_0_11 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_11 +
-        slice2cost_single_0_11;
-      slice2cost_column_0_12 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_12 +
-        slice2cost_single_0_12;
-      slice2cost_column_0_13 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_13 +
-        slice2cost_single_0_13;
-      slice2cost_column_0_14 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_14 +
-        slice2cost_single_0_14;
-      slice2cost_column_0_15 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_15 +
-        slice2cost_single_0_15;
-      slice2cost_column_0_16 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_16 +
-        slice2cost_single_0_16;
-      slice2cost_column_0_17 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_17 +
-        slice2cost_single_0_17;
-      slice2cost_column_0_18 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_18 +
-        slice2cost_single_0_18;
-      slice2cost_column_0_19 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_19 +
-        slice2cost_single_0_19;
-      slice2cost_column_0_20 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_20 +
-        slice2cost_single_0_20;
-      slice2cost_column_0_21 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_21 +
-        slice2cost_single_0_21;
-      slice2cost_column_0_22 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_22 +
-        slice2cost_single_0_22;
-      slice2cost_column_0_23 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_23 +
-        slice2cost_single_0_23;
-      slice2cost_column_0_24 <= 0 when slice2cost_pair_tag_border_column else slice2cost_pair_0_24 +
-        slice2cost_single_0_24;
-      if slice2cost_difference_tag_valid then
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_2 + slice2cost_single_0_2;
+      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_3 + slice2cost_single_0_3;
+      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_4 + slice2cost_single_0_4;
+      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_5 + slice2cost_single_0_5;
+      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_6 + slice2cost_single_0_6;
+      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_7 + slice2cost_single_0_7;
+      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_8 + slice2cost_single_0_8;
+      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_9 + slice2cost_single_0_9;
+      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_10 + slice2cost_single_0_10;
+      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_11 + slice2cost_single_0_11;
+      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_12 + slice2cost_single_0_12;
+      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_13 + slice2cost_single_0_13;
+      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_14 + slice2cost_single_0_14;
+      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_15 + slice2cost_single_0_15;
+      slice2cost_column_0_16 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_16 + slice2cost_single_0_16;
+      slice2cost_column_0_17 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_17 + slice2cost_single_0_17;
+      slice2cost_column_0_18 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_18 + slice2cost_single_0_18;
+      slice2cost_column_0_19 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_19 + slice2cost_single_0_19;
+      slice2cost_column_0_20 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_20 + slice2cost_single_0_20;
+      slice2cost_column_0_21 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_21 + slice2cost_single_0_21;
+      slice2cost_column_0_22 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_22 + slice2cost_single_0_22;
+      slice2cost_column_0_23 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_23 + slice2cost_single_0_23;
+      slice2cost_column_0_24 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_24 + slice2cost_single_0_24;
+      slice2cost_tag_border_column <= slice1cost_tag_border_column;
+      if slice0cost_tag_valid then
         slice2cost_signs_write_words_0 <= slice2cost_signs_known_words_1;
-        slice2cost_signs_write_words_1 <= (as_number(slice2cost_pair_0_16_is_less) * 65536) +
-          ((((slice2cost_difference_2_14 mod 65536) / 16384) mod 2) * 16384) + (as_number(slice2cost_pair_0_15_is_less)
-          * 32768) + ((((slice2cost_difference_2_13 mod 65536) / 8192) mod 2) * 8192) + ((((slice2cost_difference_2_12
-          mod 65536) / 4096) mod 2) * 4096) + ((((slice2cost_difference_2_11 mod 65536) / 2048) mod 2) * 2048) +
-          ((((slice2cost_difference_2_10 mod 65536) / 1024) mod 2) * 1024) + ((((slice2cost_difference_2_9 mod 65536) /
-          512) mod 2) * 512) + (as_number(slice2cost_pair_0_8_is_less) * 256) + (as_number(slice2cost_pair_0_7_is_less)
-          * 128) + (as_number(slice2cost_pair_0_6_is_less) * 64) + (as_number(slice2cost_pair_0_5_is_less) * 32) +
-          (as_number(slice2cost_pair_0_4_is_less) * 16) + (as_number(slice2cost_pair_0_3_is_less) * 8) +
-          (as_number(slice2cost_pair_0_2_is_less) * 4) + (as_number(slice2cost_pair_0_1_is_less) * 2) +
-          as_number(slice2cost_pair_0_0_is_less) + (as_number(slice2cost_pair_0_17_is_less) * 131072) +
-          (as_number(slice2cost_pair_0_18_is_less) * 262144) + (as_number(slice2cost_pair_0_19_is_less) * 524288) +
-          (as_number(slice2cost_pair_0_23_is_less) * 8388608) + (as_number(slice2cost_pair_0_24_is_less) * 16777216) +
-          (as_number(slice2cost_pair_0_22_is_less) * 4194304) + (as_number(slice2cost_pair_0_21_is_less) * 2097152) +
-          (as_number(slice2cost_pair_0_20_is_less) * 1048576);
+        slice2cost_signs_write_words_1 <= (as_number(slice2cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice2cost_newest_negative_0_24) * 16777216) + (as_number(slice2cost_newest_negative_0_22) *
+          4194304) + (as_number(slice2cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice2cost_newest_negative_0_20) * 1048576) + (as_number(slice2cost_newest_negative_0_19) *
+          524288) + (as_number(slice2cost_newest_negative_0_18) * 262144) + (as_number(slice2cost_newest_negative_0_17)
+          * 131072) + (as_number(slice2cost_newest_negative_0_16) * 65536) +
+          (as_number(slice2cost_newest_negative_0_15) * 32768) + (as_number(slice2cost_newest_negative_0_14) * 16384) +
+          (as_number(slice2cost_newest_negative_0_13) * 8192) + (as_number(slice2cost_newest_negative_0_12) * 4096) +
+          (as_number(slice2cost_newest_negative_0_11) * 2048) + (as_number(slice2cost_newest_negative_0_10) * 1024) +
+          (as_number(slice2cost_newest_negative_0_9) * 512) + (as_number(slice2cost_newest_negative_0_8) * 256) +
+          (as_number(slice2cost_newest_negative_0_6) * 64) + (as_number(slice2cost_newest_negative_0_7) * 128) +
+          (as_number(slice2cost_newest_negative_0_5) * 32) + (as_number(slice2cost_newest_negative_0_4) * 16) +
+          (as_number(slice2cost_newest_negative_0_3) * 8) + (as_number(slice2cost_newest_negative_0_2) * 4) +
+          as_number(slice2cost_newest_negative_0_0) + (as_number(slice2cost_newest_negative_0_1) * 2);
       end if;
       -- slice2window
-      if other_36 then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_0_2 <= slice2cost_column_0_2;
@@ -3691,9 +3902,6 @@ begin
         slice2window_partial_0_1_23 <= slice2cost_column_0_23 + slice2window_partial_0_0_23;
         slice2window_partial_0_1_24 <= slice2cost_column_0_24 + slice2window_partial_0_0_24;
       end if;
-      slice2window_centre_output_column <= slice1window_centre_output_column;
-      slice2window_centre_start_of_frame <= slice1window_centre_start_of_frame;
-      slice2window_centre_end_of_line <= slice1window_centre_end_of_line;
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       slice2window_sum_0_2 <= slice2cost_column_0_2 + slice2window_partial_0_1_2;
@@ -3900,8 +4108,12 @@ begin
       slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner3_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
         slice2winner3_best_index_0_0 + 25;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- slice3shift
-      if slice1cost_difference_tag_valid then
+      if slice0cost_pair_tag_valid then
         slice3shift_search_0_0 <= slice3shift_search_0_1;
         slice3shift_search_0_1 <= slice3shift_search_0_2;
         slice3shift_search_0_2 <= slice3shift_search_0_3;
@@ -3982,6 +4194,9 @@ begin
       slice3shift_reference_1 <= slice2shift_reference_1;
       slice3shift_reference_2 <= slice2shift_reference_2;
       -- slice3cost
+      if slice0cost_tag_valid then
+        slice3cost_signs_difference_column <= slice2cost_signs_difference_column;
+      end if;
       slice3cost_difference_0_0_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
         slice3shift_search_0_0;
       slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
@@ -4228,26 +4443,31 @@ begin
         else slice3shift_search_1_24;
       slice3cost_difference_1_24_choice_2 := slice3shift_search_1_24 when (slice3cost_signs_ready_words_1 / 16777216) =
         1 else slice3shift_reference_1;
-      slice3cost_pair_0_0_is_less := slice3cost_difference_2_0 < 0;
-      slice3cost_pair_0_1_is_less := slice3cost_difference_2_1 < 0;
-      slice3cost_pair_0_2_is_less := slice3cost_difference_2_2 < 0;
-      slice3cost_pair_0_3_is_less := slice3cost_difference_2_3 < 0;
-      slice3cost_pair_0_4_is_less := slice3cost_difference_2_4 < 0;
-      slice3cost_pair_0_5_is_less := slice3cost_difference_2_5 < 0;
-      slice3cost_pair_0_6_is_less := slice3cost_difference_2_6 < 0;
-      slice3cost_pair_0_7_is_less := slice3cost_difference_2_7 < 0;
-      slice3cost_pair_0_8_is_less := slice3cost_difference_2_8 < 0;
-      slice3cost_pair_0_15_is_less := slice3cost_difference_2_15 < 0;
-      slice3cost_pair_0_16_is_less := slice3cost_difference_2_16 < 0;
-      slice3cost_pair_0_17_is_less := slice3cost_difference_2_17 < 0;
-      slice3cost_pair_0_18_is_less := slice3cost_difference_2_18 < 0;
-      slice3cost_pair_0_19_is_less := slice3cost_difference_2_19 < 0;
-      slice3cost_pair_0_20_is_less := slice3cost_difference_2_20 < 0;
-      slice3cost_pair_0_21_is_less := slice3cost_difference_2_21 < 0;
-      slice3cost_pair_0_22_is_less := slice3cost_difference_2_22 < 0;
-      slice3cost_pair_0_23_is_less := slice3cost_difference_2_23 < 0;
-      slice3cost_pair_0_24_is_less := slice3cost_difference_2_24 < 0;
-      slice3cost_signs_difference_column <= other_17;
+      slice3cost_difference_2_0_difference := slice3shift_search_2_0 - slice3shift_reference_2;
+      slice3cost_difference_2_1_difference := slice3shift_search_2_1 - slice3shift_reference_2;
+      slice3cost_difference_2_2_difference := slice3shift_search_2_2 - slice3shift_reference_2;
+      slice3cost_difference_2_3_difference := slice3shift_search_2_3 - slice3shift_reference_2;
+      slice3cost_difference_2_4_difference := slice3shift_search_2_4 - slice3shift_reference_2;
+      slice3cost_difference_2_5_difference := slice3shift_search_2_5 - slice3shift_reference_2;
+      slice3cost_difference_2_6_difference := slice3shift_search_2_6 - slice3shift_reference_2;
+      slice3cost_difference_2_7_difference := slice3shift_search_2_7 - slice3shift_reference_2;
+      slice3cost_difference_2_8_difference := slice3shift_search_2_8 - slice3shift_reference_2;
+      slice3cost_difference_2_9_difference := slice3shift_search_2_9 - slice3shift_reference_2;
+      slice3cost_difference_2_10_difference := slice3shift_search_2_10 - slice3shift_reference_2;
+      slice3cost_difference_2_11_difference := slice3shift_search_2_11 - slice3shift_reference_2;
+      slice3cost_difference_2_12_difference := slice3shift_search_2_12 - slice3shift_reference_2;
+      slice3cost_difference_2_13_difference := slice3shift_search_2_13 - slice3shift_reference_2;
+      slice3cost_difference_2_14_difference := slice3shift_search_2_14 - slice3shift_reference_2;
+      slice3cost_difference_2_15_difference := slice3shift_search_2_15 - slice3shift_reference_2;
+      slice3cost_difference_2_16_difference := slice3shift_search_2_16 - slice3shift_reference_2;
+      slice3cost_difference_2_17_difference := slice3shift_search_2_17 - slice3shift_reference_2;
+      slice3cost_difference_2_18_difference := slice3shift_search_2_18 - slice3shift_reference_2;
+      slice3cost_difference_2_19_difference := slice3shift_search_2_19 - slice3shift_reference_2;
+      slice3cost_difference_2_20_difference := slice3shift_search_2_20 - slice3shift_reference_2;
+      slice3cost_difference_2_21_difference := slice3shift_search_2_21 - slice3shift_reference_2;
+      slice3cost_difference_2_22_difference := slice3shift_search_2_22 - slice3shift_reference_2;
+      slice3cost_difference_2_23_difference := slice3shift_search_2_23 - slice3shift_reference_2;
+      slice3cost_difference_2_24_difference := slice3shift_search_2_24 - slice3shift_reference_2;
       slice3cost_signs_ready_words_0 <= to_integer(slice3cost_signs_read_words_0);
       slice3cost_signs_ready_words_1 <= to_integer(slice3cost_signs_read_words_1);
       slice3cost_signs_known_words_1 <= slice3cost_signs_ready_words_1;
@@ -4301,49 +4521,73 @@ begin
       slice3cost_difference_1_22 <= (slice3cost_difference_1_22_choice - slice3cost_difference_1_22_choice_2) mod 256;
       slice3cost_difference_1_23 <= (slice3cost_difference_1_23_choice - slice3cost_difference_1_23_choice_2) mod 256;
       slice3cost_difference_1_24 <= (slice3cost_difference_1_24_choice - slice3cost_difference_1_24_choice_2) mod 256;
-      slice3cost_difference_2_0 <= slice3shift_search_2_0 - slice3shift_reference_2;
-      slice3cost_difference_2_1 <= slice3shift_search_2_1 - slice3shift_reference_2;
-      slice3cost_difference_2_2 <= slice3shift_search_2_2 - slice3shift_reference_2;
-      slice3cost_difference_2_3 <= slice3shift_search_2_3 - slice3shift_reference_2;
-      slice3cost_difference_2_4 <= slice3shift_search_2_4 - slice3shift_reference_2;
-      slice3cost_difference_2_5 <= slice3shift_search_2_5 - slice3shift_reference_2;
-      slice3cost_difference_2_6 <= slice3shift_search_2_6 - slice3shift_reference_2;
-      slice3cost_difference_2_7 <= slice3shift_search_2_7 - slice3shift_reference_2;
-      slice3cost_difference_2_8 <= slice3shift_search_2_8 - slice3shift_reference_2;
-      slice3cost_difference_2_9 <= slice3shift_search_2_9 - slice3shift_reference_2;
-      slice3cost_difference_2_10 <= slice3shift_search_2_10 - slice3shift_reference_2;
-      slice3cost_difference_2_11 <= slice3shift_search_2_11 - slice3shift_reference_2;
-      slice3cost_difference_2_12 <= slice3shift_search_2_12 - slice3shift_reference_2;
-      slice3cost_difference_2_13 <= slice3shift_search_2_13 - slice3shift_reference_2;
-      slice3cost_difference_2_14 <= slice3shift_search_2_14 - slice3shift_reference_2;
-      slice3cost_difference_2_15 <= slice3shift_search_2_15 - slice3shift_reference_2;
-      slice3cost_difference_2_16 <= slice3shift_search_2_16 - slice3shift_reference_2;
-      slice3cost_difference_2_17 <= slice3shift_search_2_17 - slice3shift_reference_2;
-      slice3cost_difference_2_18 <= slice3shift_search_2_18 - slice3shift_reference_2;
-      slice3cost_difference_2_19 <= slice3shift_search_2_19 - slice3shift_reference_2;
-      slice3cost_difference_2_20 <= slice3shift_search_2_20 - slice3shift_reference_2;
-      slice3cost_difference_2_21 <= slice3shift_search_2_21 - slice3shift_reference_2;
-      slice3cost_difference_2_22 <= slice3shift_search_2_22 - slice3shift_reference_2;
-      slice3cost_difference_2_23 <= slice3shift_search_2_23 - slice3shift_reference_2;
-      slice3cost_difference_2_24 <= slice3shift_search_2_24 - slice3shift_reference_2;
-      slice3cost_difference_tag_valid <= slice2cost_difference_tag_valid;
-      slice3cost_pair_0_0 <= as_number(slice3cost_pair_0_0_is_less) + slice3cost_difference_1_0 +
+      slice3cost_difference_2_0 <= slice3cost_difference_2_0_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_1 <= slice3cost_difference_2_1_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_2 <= slice3cost_difference_2_2_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_3 <= slice3cost_difference_2_3_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_4 <= slice3cost_difference_2_4_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_5 <= slice3cost_difference_2_5_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_6 <= slice3cost_difference_2_6_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_7 <= slice3cost_difference_2_7_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_8 <= slice3cost_difference_2_8_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_9 <= slice3cost_difference_2_9_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_10 <= slice3cost_difference_2_10_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_11 <= slice3cost_difference_2_11_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_12 <= slice3cost_difference_2_12_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_13 <= slice3cost_difference_2_13_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_14 <= slice3cost_difference_2_14_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_15 <= slice3cost_difference_2_15_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_16 <= slice3cost_difference_2_16_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_17 <= slice3cost_difference_2_17_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_18 <= slice3cost_difference_2_18_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_19 <= slice3cost_difference_2_19_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_20 <= slice3cost_difference_2_20_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_21 <= slice3cost_difference_2_21_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_22 <= slice3cost_difference_2_22_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_23 <= slice3cost_difference_2_23_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_difference_2_24 <= slice3cost_difference_2_24_difference when slice0cost_tag_newest_inside else 0;
+      slice3cost_newest_negative_0_0 <= slice3cost_difference_2_0_difference < 0;
+      slice3cost_newest_negative_0_1 <= slice3cost_difference_2_1_difference < 0;
+      slice3cost_newest_negative_0_2 <= slice3cost_difference_2_2_difference < 0;
+      slice3cost_newest_negative_0_3 <= slice3cost_difference_2_3_difference < 0;
+      slice3cost_newest_negative_0_4 <= slice3cost_difference_2_4_difference < 0;
+      slice3cost_newest_negative_0_5 <= slice3cost_difference_2_5_difference < 0;
+      slice3cost_newest_negative_0_6 <= slice3cost_difference_2_6_difference < 0;
+      slice3cost_newest_negative_0_7 <= slice3cost_difference_2_7_difference < 0;
+      slice3cost_newest_negative_0_8 <= slice3cost_difference_2_8_difference < 0;
+      slice3cost_newest_negative_0_9 <= slice3cost_difference_2_9_difference < 0;
+      slice3cost_newest_negative_0_10 <= slice3cost_difference_2_10_difference < 0;
+      slice3cost_newest_negative_0_11 <= slice3cost_difference_2_11_difference < 0;
+      slice3cost_newest_negative_0_12 <= slice3cost_difference_2_12_difference < 0;
+      slice3cost_newest_negative_0_13 <= slice3cost_difference_2_13_difference < 0;
+      slice3cost_newest_negative_0_14 <= slice3cost_difference_2_14_difference < 0;
+      slice3cost_newest_negative_0_15 <= slice3cost_difference_2_15_difference < 0;
+      slice3cost_newest_negative_0_16 <= slice3cost_difference_2_16_difference < 0;
+      slice3cost_newest_negative_0_17 <= slice3cost_difference_2_17_difference < 0;
+      slice3cost_newest_negative_0_18 <= slice3cost_difference_2_18_difference < 0;
+      slice3cost_newest_negative_0_19 <= slice3cost_difference_2_19_difference < 0;
+      slice3cost_newest_negative_0_20 <= slice3cost_difference_2_20_difference < 0;
+      slice3cost_newest_negative_0_21 <= slice3cost_difference_2_21_difference < 0;
+      slice3cost_newest_negative_0_22 <= slice3cost_difference_2_22_difference < 0;
+      slice3cost_newest_negative_0_23 <= slice3cost_difference_2_23_difference < 0;
+      slice3cost_newest_negative_0_24 <= slice3cost_difference_2_24_difference < 0;
+      slice3cost_pair_0_0 <= as_number((slice3cost_difference_2_0 < 0)) + slice3cost_difference_1_0 +
         folded(slice3cost_difference_2_0);
-      slice3cost_pair_0_1 <= as_number(slice3cost_pair_0_1_is_less) + slice3cost_difference_1_1 +
+      slice3cost_pair_0_1 <= as_number((slice3cost_difference_2_1 < 0)) + slice3cost_difference_1_1 +
         folded(slice3cost_difference_2_1);
-      slice3cost_pair_0_2 <= as_number(slice3cost_pair_0_2_is_less) + slice3cost_difference_1_2 +
+      slice3cost_pair_0_2 <= as_number((slice3cost_difference_2_2 < 0)) + slice3cost_difference_1_2 +
         folded(slice3cost_difference_2_2);
-      slice3cost_pair_0_3 <= as_number(slice3cost_pair_0_3_is_less) + slice3cost_difference_1_3 +
+      slice3cost_pair_0_3 <= as_number((slice3cost_difference_2_3 < 0)) + slice3cost_difference_1_3 +
         folded(slice3cost_difference_2_3);
-      slice3cost_pair_0_4 <= as_number(slice3cost_pair_0_4_is_less) + slice3cost_difference_1_4 +
+      slice3cost_pair_0_4 <= as_number((slice3cost_difference_2_4 < 0)) + slice3cost_difference_1_4 +
         folded(slice3cost_difference_2_4);
-      slice3cost_pair_0_5 <= as_number(slice3cost_pair_0_5_is_less) + slice3cost_difference_1_5 +
+      slice3cost_pair_0_5 <= as_number((slice3cost_difference_2_5 < 0)) + slice3cost_difference_1_5 +
         folded(slice3cost_difference_2_5);
-      slice3cost_pair_0_6 <= as_number(slice3cost_pair_0_6_is_less) + slice3cost_difference_1_6 +
+      slice3cost_pair_0_6 <= as_number((slice3cost_difference_2_6 < 0)) + slice3cost_difference_1_6 +
         folded(slice3cost_difference_2_6);
-      slice3cost_pair_0_7 <= as_number(slice3cost_pair_0_7_is_less) + slice3cost_difference_1_7 +
+      slice3cost_pair_0_7 <= as_number((slice3cost_difference_2_7 < 0)) + slice3cost_difference_1_7 +
         folded(slice3cost_difference_2_7);
-      slice3cost_pair_0_8 <= as_number(slice3cost_pair_0_8_is_less) + slice3cost_difference_1_8 +
+      slice3cost_pair_0_8 <= as_number((slice3cost_difference_2_8 < 0)) + slice3cost_difference_1_8 +
         folded(slice3cost_difference_2_8);
       slice3cost_pair_0_9 <= as_number((slice3cost_difference_2_9 < 0)) + slice3cost_difference_1_9 +
         folded(slice3cost_difference_2_9);
@@ -4357,25 +4601,25 @@ begin
         folded(slice3cost_difference_2_13);
       slice3cost_pair_0_14 <= as_number((slice3cost_difference_2_14 < 0)) + slice3cost_difference_1_14 +
         folded(slice3cost_difference_2_14);
-      slice3cost_pair_0_15 <= as_number(slice3cost_pair_0_15_is_less) + slice3cost_difference_1_15 +
+      slice3cost_pair_0_15 <= as_number((slice3cost_difference_2_15 < 0)) + slice3cost_difference_1_15 +
         folded(slice3cost_difference_2_15);
-      slice3cost_pair_0_16 <= as_number(slice3cost_pair_0_16_is_less) + slice3cost_difference_1_16 +
+      slice3cost_pair_0_16 <= as_number((slice3cost_difference_2_16 < 0)) + slice3cost_difference_1_16 +
         folded(slice3cost_difference_2_16);
-      slice3cost_pair_0_17 <= as_number(slice3cost_pair_0_17_is_less) + slice3cost_difference_1_17 +
+      slice3cost_pair_0_17 <= as_number((slice3cost_difference_2_17 < 0)) + slice3cost_difference_1_17 +
         folded(slice3cost_difference_2_17);
-      slice3cost_pair_0_18 <= as_number(slice3cost_pair_0_18_is_less) + slice3cost_difference_1_18 +
+      slice3cost_pair_0_18 <= as_number((slice3cost_difference_2_18 < 0)) + slice3cost_difference_1_18 +
         folded(slice3cost_difference_2_18);
-      slice3cost_pair_0_19 <= as_number(slice3cost_pair_0_19_is_less) + slice3cost_difference_1_19 +
+      slice3cost_pair_0_19 <= as_number((slice3cost_difference_2_19 < 0)) + slice3cost_difference_1_19 +
         folded(slice3cost_difference_2_19);
-      slice3cost_pair_0_20 <= as_number(slice3cost_pair_0_20_is_less) + slice3cost_difference_1_20 +
+      slice3cost_pair_0_20 <= as_number((slice3cost_difference_2_20 < 0)) + slice3cost_difference_1_20 +
         folded(slice3cost_difference_2_20);
-      slice3cost_pair_0_21 <= as_number(slice3cost_pair_0_21_is_less) + slice3cost_difference_1_21 +
+      slice3cost_pair_0_21 <= as_number((slice3cost_difference_2_21 < 0)) + slice3cost_difference_1_21 +
         folded(slice3cost_difference_2_21);
-      slice3cost_pair_0_22 <= as_number(slice3cost_pair_0_22_is_less) + slice3cost_difference_1_22 +
+      slice3cost_pair_0_22 <= as_number((slice3cost_difference_2_22 < 0)) + slice3cost_difference_1_22 +
         folded(slice3cost_difference_2_22);
-      slice3cost_pair_0_23 <= as_number(slice3cost_pair_0_23_is_less) + slice3cost_difference_1_23 +
+      slice3cost_pair_0_23 <= as_number((slice3cost_difference_2_23 < 0)) + slice3cost_difference_1_23 +
         folded(slice3cost_difference_2_23);
-      slice3cost_pair_0_24 <= as_number(slice3cost_pair_0_24_is_less) + slice3cost_difference_1_24 +
+      slice3cost_pair_0_24 <= as_number((slice3cost_difference_2_24 < 0)) + slice3cost_difference_1_24 +
         folded(slice3cost_difference_2_24);
       slice3cost_single_0_0 <= slice3cost_difference_0_0;
       slice3cost_single_0_1 <= slice3cost_difference_0_1;
@@ -4402,77 +4646,51 @@ begin
       slice3cost_single_0_22 <= slice3cost_difference_0_22;
       slice3cost_single_0_23 <= slice3cost_difference_0_23;
       slice3cost_single_0_24 <= slice3cost_difference_0_24;
-      slice3cost_pair_tag_border_column <= slice2cost_pair_tag_border_column;
-      slice3cost_column_0_0 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_0 +
-        slice3cost_single_0_0;
-      slice3cost_column_0_1 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_1 +
-        slice3cost_single_0_1;
-      slice3cost_column_0_2 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_2 +
-        slice3cost_single_0_2;
-      slice3cost_column_0_3 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_3 +
-        slice3cost_single_0_3;
-      slice3cost_column_0_4 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_4 +
-        slice3cost_single_0_4;
-      slice3cost_column_0_5 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_5 +
-        slice3cost_single_0_5;
-      slice3cost_column_0_6 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_6 +
-        slice3cost_single_0_6;
-      slice3cost_column_0_7 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_7 +
-        slice3cost_single_0_7;
-      slice3cost_column_0_8 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_8 +
-        slice3cost_single_0_8;
-      slice3cost_column_0_9 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_9 +
-        slice3cost_single_0_9;
-      slice3cost_column_0_10 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_10 +
-        slice3cost_single_0_10;
-      slice3cost_column_0_11 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_11 +
-        slice3cost_single_0_11;
-      slice3cost_column_0_12 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_12 +
-        slice3cost_single_0_12;
-      slice3cost_column_0_13 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_13 +
-        slice3cost_single_0_13;
-      slice3cost_column_0_14 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_14 +
-        slice3cost_single_0_14;
-      slice3cost_column_0_15 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_15 +
-        slice3cost_single_0_15;
-      slice3cost_column_0_16 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_16 +
-        slice3cost_single_0_16;
-      slice3cost_column_0_17 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_17 +
-        slice3cost_single_0_17;
-      slice3cost_column_0_18 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_18 +
-        slice3cost_single_0_18;
-      slice3cost_column_0_19 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_19 +
-        slice3cost_single_0_19;
-      slice3cost_column_0_20 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_20 +
-        slice3cost_single_0_20;
-      slice3cost_column_0_21 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_21 +
-        slice3cost_single_0_21;
-      slice3cost_column_0_22 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_22 +
-        slice3cost_single_0_22;
-      slice3cost_column_0_23 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_23 +
-        slice3cost_single_0_23;
-      slice3cost_column_0_24 <= 0 when slice3cost_pair_tag_border_column else slice3cost_pair_0_24 +
-        slice3cost_single_0_24;
-      if slice3cost_difference_tag_valid then
-        slice3cost_signs_write_column <= slice3cost_signs_difference_column;
+      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_0 + slice3cost_single_0_0;
+      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_1 + slice3cost_single_0_1;
+      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_2 + slice3cost_single_0_2;
+      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_3 + slice3cost_single_0_3;
+      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_4 + slice3cost_single_0_4;
+      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_5 + slice3cost_single_0_5;
+      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_6 + slice3cost_single_0_6;
+      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_7 + slice3cost_single_0_7;
+      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_8 + slice3cost_single_0_8;
+      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_9 + slice3cost_single_0_9;
+      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_10 + slice3cost_single_0_10;
+      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_11 + slice3cost_single_0_11;
+      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_12 + slice3cost_single_0_12;
+      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_13 + slice3cost_single_0_13;
+      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_14 + slice3cost_single_0_14;
+      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_15 + slice3cost_single_0_15;
+      slice3cost_column_0_16 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_16 + slice3cost_single_0_16;
+      slice3cost_column_0_17 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_17 + slice3cost_single_0_17;
+      slice3cost_column_0_18 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_18 + slice3cost_single_0_18;
+      slice3cost_column_0_19 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_19 + slice3cost_single_0_19;
+      slice3cost_column_0_20 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_20 + slice3cost_single_0_20;
+      slice3cost_column_0_21 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_21 + slice3cost_single_0_21;
+      slice3cost_column_0_22 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_22 + slice3cost_single_0_22;
+      slice3cost_column_0_23 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_23 + slice3cost_single_0_23;
+      slice3cost_column_0_24 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_24 + slice3cost_single_0_24;
+      if slice0window_tag_valid then
+        slice3cost_signs_write_column <= slice2cost_signs_write_column;
         slice3cost_signs_write_words_0 <= slice3cost_signs_known_words_1;
-        slice3cost_signs_write_words_1 <= (as_number(slice3cost_pair_0_16_is_less) * 65536) +
-          ((((slice3cost_difference_2_14 mod 65536) / 16384) mod 2) * 16384) + (as_number(slice3cost_pair_0_15_is_less)
-          * 32768) + ((((slice3cost_difference_2_13 mod 65536) / 8192) mod 2) * 8192) + ((((slice3cost_difference_2_12
-          mod 65536) / 4096) mod 2) * 4096) + ((((slice3cost_difference_2_11 mod 65536) / 2048) mod 2) * 2048) +
-          ((((slice3cost_difference_2_10 mod 65536) / 1024) mod 2) * 1024) + ((((slice3cost_difference_2_9 mod 65536) /
-          512) mod 2) * 512) + (as_number(slice3cost_pair_0_8_is_less) * 256) + (as_number(slice3cost_pair_0_7_is_less)
-          * 128) + (as_number(slice3cost_pair_0_6_is_less) * 64) + (as_number(slice3cost_pair_0_5_is_less) * 32) +
-          (as_number(slice3cost_pair_0_4_is_less) * 16) + (as_number(slice3cost_pair_0_3_is_less) * 8) +
-          (as_number(slice3cost_pair_0_2_is_less) * 4) + (as_number(slice3cost_pair_0_1_is_less) * 2) +
-          as_number(slice3cost_pair_0_0_is_less) + (as_number(slice3cost_pair_0_17_is_less) * 131072) +
-          (as_number(slice3cost_pair_0_18_is_less) * 262144) + (as_number(slice3cost_pair_0_19_is_less) * 524288) +
-          (as_number(slice3cost_pair_0_23_is_less) * 8388608) + (as_number(slice3cost_pair_0_24_is_less) * 16777216) +
-          (as_number(slice3cost_pair_0_22_is_less) * 4194304) + (as_number(slice3cost_pair_0_21_is_less) * 2097152) +
-          (as_number(slice3cost_pair_0_20_is_less) * 1048576);
+        slice3cost_signs_write_words_1 <= (as_number(slice3cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice3cost_newest_negative_0_24) * 16777216) + (as_number(slice3cost_newest_negative_0_22) *
+          4194304) + (as_number(slice3cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice3cost_newest_negative_0_20) * 1048576) + (as_number(slice3cost_newest_negative_0_19) *
+          524288) + (as_number(slice3cost_newest_negative_0_18) * 262144) + (as_number(slice3cost_newest_negative_0_17)
+          * 131072) + (as_number(slice3cost_newest_negative_0_16) * 65536) +
+          (as_number(slice3cost_newest_negative_0_15) * 32768) + (as_number(slice3cost_newest_negative_0_14) * 16384) +
+          (as_number(slice3cost_newest_negative_0_13) * 8192) + (as_number(slice3cost_newest_negative_0_12) * 4096) +
+          (as_number(slice3cost_newest_negative_0_11) * 2048) + (as_number(slice3cost_newest_negative_0_10) * 1024) +
+          (as_number(slice3cost_newest_negative_0_9) * 512) + (as_number(slice3cost_newest_negative_0_8) * 256) +
+          (as_number(slice3cost_newest_negative_0_6) * 64) + (as_number(slice3cost_newest_negative_0_7) * 128) +
+          (as_number(slice3cost_newest_negative_0_5) * 32) + (as_number(slice3cost_newest_negative_0_4) * 16) +
+          (as_number(slice3cost_newest_negative_0_3) * 8) + (as_number(slice3cost_newest_negative_0_2) * 4) +
+          as_number(slice3cost_newest_negative_0_0) + (as_number(slice3cost_newest_negative_0_1) * 2);
       end if;
       -- slice3window
-      if other_35 then
+      if slice0winner1_four_tag_valid then
         slice3window_partial_0_0_0 <= slice3cost_column_0_0;
         slice3window_partial_0_0_1 <= slice3cost_column_0_1;
         slice3window_partial_0_0_2 <= slice3cost_column_0_2;
@@ -4523,9 +4741,6 @@ begin
         slice3window_partial_0_1_22 <= slice3cost_column_0_22 + slice3window_partial_0_0_22;
         slice3window_partial_0_1_23 <= slice3cost_column_0_23 + slice3window_partial_0_0_23;
         slice3window_partial_0_1_24 <= slice3cost_column_0_24 + slice3window_partial_0_0_24;
-        slice3window_centre_output_column <= slice2window_centre_output_column;
-        slice3window_centre_start_of_frame <= slice2window_centre_start_of_frame;
-        slice3window_centre_end_of_line <= slice2window_centre_end_of_line;
       end if;
       slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_1_0;
       slice3window_sum_0_1 <= slice3cost_column_0_1 + slice3window_partial_0_1_1;
@@ -4731,72 +4946,10 @@ begin
       -- slice3
       slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner3_best_cost_0_0) < 0 else
         slice3winner3_best_index_0_0;
-      slice3_best_tag_valid <= other_7;
-      slice3_best_tag_output_column <= other_5;
-      slice3_best_tag_start_of_frame <= other_0;
-      slice3_best_tag_end_of_line <= other_48;
-      -- other
-      other_0 <= other_1;
-      other_1 <= other_10;
-      other_3 <= rows_ready_column;
-      other_4 <= 24;
-      other_5 <= other_6;
-      other_6 <= other_9;
-      other_7 <= other_37;
-      other_9 <= other_13;
-      other_10 <= other_14;
-      other_11 <= other_15;
-      other_12 <= other_16;
-      other_13 <= other_20;
-      other_14 <= other_21;
-      other_15 <= other_22;
-      other_16 <= other_23;
-      other_17 <= other_18;
-      other_18 <= other_19;
-      other_19 <= other_41;
-      other_20 <= other_24;
-      other_21 <= other_25;
-      other_22 <= other_26;
-      other_23 <= other_27;
-      other_24 <= other_28;
-      other_25 <= other_29;
-      other_26 <= other_30;
-      other_27 <= other_31;
-      other_28 <= other_32;
-      other_29 <= other_33;
-      other_30 <= other_34;
-      other_31 <= other_35;
-      other_32 <= slice3window_centre_output_column;
-      other_33 <= slice3window_centre_start_of_frame;
-      other_34 <= slice3window_centre_end_of_line;
-      other_35 <= other_36;
-      other_36 <= slice3cost_difference_tag_valid;
-      other_37 <= other_43;
-      other_38 <= other_51;
-      other_40 <= slice0shift_tag_border_column;
-      other_41 <= other_3;
-      other_42 <= slice0shift_tag_output_column;
-      other_43 <= other_12;
-      other_44 <= other_52;
-      other_45 <= slice0shift_tag_start_of_frame;
-      other_46 <= slice0shift_tag_end_of_line;
-      other_47 <= other_53;
-      other_48 <= other_50;
-      other_49 <= other_54;
-      other_50 <= other_11;
-      other_51 <= other_42;
-      other_52 <= other_45;
-      other_53 <= other_46;
-      other_54 <= other_4;
-      if slice1cost_difference_tag_valid then
-        other_2 <= other_18;
-      end if;
-      if slice0cost_difference_tag_valid then
-        other_8 <= other_19;
-      end if;
-      if slice2cost_difference_tag_valid then
-        other_39 <= other_17;
-      end if;
+      slice3_best_tag_valid <= slice2_best_tag_valid;
+      slice3_best_tag_output_column <= slice2_best_tag_output_column;
+      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
+      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -4828,79 +4981,79 @@ begin
         slice0shift_tag_output_column <= false;
         slice0shift_tag_start_of_frame <= false;
         slice0shift_tag_end_of_line <= false;
+        slice0cost_signs_column <= 0;
+        slice0cost_signs_next_column <= 0;
+        slice0cost_signs_difference_column <= 0;
+        slice0cost_signs_write_column <= 0;
         slice0cost_difference_tag_valid <= false;
-        slice0window_centre_output_column <= false;
-        slice0window_centre_start_of_frame <= false;
-        slice0window_centre_end_of_line <= false;
-        slice1cost_difference_tag_valid <= false;
-        slice1window_centre_output_column <= false;
-        slice1window_centre_start_of_frame <= false;
-        slice1window_centre_end_of_line <= false;
-        slice2cost_difference_tag_valid <= false;
-        slice2window_centre_output_column <= false;
-        slice2window_centre_start_of_frame <= false;
-        slice2window_centre_end_of_line <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_pair_tag_valid <= false;
+        slice0winner2_pair_tag_output_column <= false;
+        slice0winner2_pair_tag_start_of_frame <= false;
+        slice0winner2_pair_tag_end_of_line <= false;
+        slice0winner2_four_tag_valid <= false;
+        slice0winner2_four_tag_output_column <= false;
+        slice0winner2_four_tag_start_of_frame <= false;
+        slice0winner2_four_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1cost_signs_difference_column <= 0;
+        slice1cost_signs_write_column <= 0;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2cost_signs_difference_column <= 0;
+        slice2cost_signs_write_column <= 0;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
         slice3cost_signs_difference_column <= 0;
         slice3cost_signs_write_column <= 0;
-        slice3cost_difference_tag_valid <= false;
-        slice3window_centre_output_column <= false;
-        slice3window_centre_start_of_frame <= false;
-        slice3window_centre_end_of_line <= false;
         slice3_best_tag_valid <= false;
         slice3_best_tag_output_column <= false;
         slice3_best_tag_start_of_frame <= false;
         slice3_best_tag_end_of_line <= false;
-        other_0 <= false;
-        other_1 <= false;
-        other_2 <= 0;
-        other_3 <= 0;
-        other_5 <= false;
-        other_6 <= false;
-        other_7 <= false;
-        other_8 <= 0;
-        other_9 <= false;
-        other_10 <= false;
-        other_11 <= false;
-        other_12 <= false;
-        other_13 <= false;
-        other_14 <= false;
-        other_15 <= false;
-        other_16 <= false;
-        other_17 <= 0;
-        other_18 <= 0;
-        other_19 <= 0;
-        other_20 <= false;
-        other_21 <= false;
-        other_22 <= false;
-        other_23 <= false;
-        other_24 <= false;
-        other_25 <= false;
-        other_26 <= false;
-        other_27 <= false;
-        other_28 <= false;
-        other_29 <= false;
-        other_30 <= false;
-        other_31 <= false;
-        other_32 <= false;
-        other_33 <= false;
-        other_34 <= false;
-        other_35 <= false;
-        other_36 <= false;
-        other_37 <= false;
-        other_38 <= false;
-        other_39 <= 0;
-        other_41 <= 0;
-        other_42 <= false;
-        other_43 <= false;
-        other_44 <= false;
-        other_45 <= false;
-        other_46 <= false;
-        other_47 <= false;
-        other_48 <= false;
-        other_50 <= false;
-        other_51 <= false;
-        other_52 <= false;
-        other_53 <= false;
       end if;
     end if;
   end process;

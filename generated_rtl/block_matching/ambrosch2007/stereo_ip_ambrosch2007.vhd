@@ -64,7 +64,7 @@ begin
       latency_clocks => 21,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"7d7952f9",
+      core_id => x"59e7d744",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

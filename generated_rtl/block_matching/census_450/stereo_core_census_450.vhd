@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration census_450: 450x375, 48 disparities, window 9x9, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration census_450: 450x375, 48 disparities, window 9x9, 1 pixel pair a clock.
 -- Options: disparities 48, window_px 9, reference left, cost census, census_width_px 9, census_height_px 3,
 --   subpixel true, median true, aggregation recursive, slice_disparities 16.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_census_450 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
     output_width_px : positive := 402;
-    latency_clocks : positive := 43;
+    latency_clocks : positive := 49;
     flush_groups : positive := 2709;
     gap_groups : positive := 1800
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_census_450: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_census_450: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 402 report "stereo_core_census_450: output_width_px is " & integer'image(output_width_px) & " but this core has 402" severity failure;
-  assert latency_clocks = 43 report "stereo_core_census_450: latency_clocks is " & integer'image(latency_clocks) & " but this core has 43" severity failure;
+  assert latency_clocks = 49 report "stereo_core_census_450: latency_clocks is " & integer'image(latency_clocks) & " but this core has 49" severity failure;
   assert flush_groups = 2709 report "stereo_core_census_450: flush_groups is " & integer'image(flush_groups) & " but this core has 2709" severity failure;
   assert gap_groups = 1800 report "stereo_core_census_450: gap_groups is " & integer'image(gap_groups) & " but this core has 1800" severity failure;
 end entity;
 
 architecture rtl of stereo_core_census_450 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_census_450 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -142,13 +140,14 @@ architecture rtl of stereo_core_census_450 is
   signal transform_columns_column_inside_4, transform_columns_column_inside_5 : boolean;
   signal transform_columns_column_inside_6, transform_columns_column_inside_7 : boolean;
   signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_row_inside_2, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_1, transform_filtering_column_inside_2 : boolean;
-  signal transform_filtering_column_inside_3, transform_filtering_column_inside_4 : boolean;
-  signal transform_filtering_column_inside_5, transform_filtering_column_inside_6 : boolean;
-  signal transform_filtering_column_inside_7, transform_filtering_column_inside_8 : boolean;
-  signal transform_filtering_start_of_frame, transform_filtering_valid, transform_filtered_column_inside_4 : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_row_inside_2, transform_filtering_0_column_inside_0 : boolean;
+  signal transform_filtering_0_column_inside_1, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_0_column_inside_3, transform_filtering_0_column_inside_4 : boolean;
+  signal transform_filtering_0_column_inside_5, transform_filtering_0_column_inside_6 : boolean;
+  signal transform_filtering_0_column_inside_7, transform_filtering_0_column_inside_8 : boolean;
+  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
+  signal transform_filtering_1_row_inside_2, transform_filtering_1_column_inside_4 : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
   signal transform_ready_column, transform_write_column : natural range 0 to 511;
   signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
@@ -157,15 +156,14 @@ architecture rtl of stereo_core_census_450 is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 67108863;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 67108863;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid : boolean;
   signal raster_place_column, raster_place_group : natural range 0 to 511;
   -- delay
-  signal delay_ring_read_address, delay_ring_write_address, delay_row_inside_0, delay_row_inside_1 : boolean;
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_border_column : boolean;
-  signal delay_tag_first_cost, delay_tag_leaves_window, delay_tag_map_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 67108863;
   signal delay_column : natural range 0 to 511;
+  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
+  signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_map_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(25 downto 0);
   signal rows_search_rows_read_words_2, rows_search_rows_read_words_3 : unsigned(25 downto 0);
@@ -430,8 +428,8 @@ architecture rtl of stereo_core_census_450 is
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_map_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_map_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_3, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_start_of_frame_2 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -255 to 255;
   signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -255 to 255;
   signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -255 to 255;
@@ -717,7 +715,7 @@ architecture rtl of stereo_core_census_450 is
   signal slice1window_change_0_12, slice1window_change_0_13, slice1window_change_0_14 : integer range -255 to 255;
   signal slice1window_change_0_15 : integer range -255 to 255;
   signal slice1window_change_tag_first_cost, slice1window_change_tag_leaves_window : boolean;
-  signal slice1window_centre_map_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_map_column_0, slice1window_centre_start_of_frame_2 : boolean;
   signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 4095;
   signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 4095;
@@ -993,7 +991,7 @@ architecture rtl of stereo_core_census_450 is
   signal slice2window_change_0_15 : integer range -255 to 255;
   signal slice2window_change_tag_first_cost, slice2window_centre_map_column_0 : boolean;
   signal slice2window_centre_map_column_1, slice2window_centre_map_column_2 : boolean;
-  signal slice2window_centre_start_of_frame_0, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_centre_start_of_frame_2, slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_centre_end_of_line_1, slice2window_centre_end_of_line_2 : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 4095;
   signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 4095;
@@ -1066,58 +1064,77 @@ architecture rtl of stereo_core_census_450 is
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 47;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 47;
   signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 47;
-  signal refinement_disparity_9_0 : natural range 0 to 47;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 47;
   signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
   signal refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0, refinement_passed_8_0 : boolean;
-  signal refinement_tag_0_valid, refinement_tag_0_map_column, refinement_tag_0_start_of_frame : boolean;
-  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_map_column : boolean;
-  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
-  signal refinement_tag_2_map_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
-  signal refinement_tag_3_valid, refinement_tag_3_map_column, refinement_tag_3_start_of_frame : boolean;
-  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_map_column : boolean;
-  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
-  signal refinement_tag_5_map_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
-  signal refinement_tag_6_valid, refinement_tag_6_map_column, refinement_tag_6_start_of_frame : boolean;
-  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_map_column : boolean;
-  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
-  signal refinement_tag_8_map_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
-  signal refinement_tag_9_valid, refinement_tag_9_map_column, refinement_tag_9_start_of_frame : boolean;
-  signal refinement_tag_9_end_of_line, refinement_quotient_1_0, refinement_negative_0_0 : boolean;
+  signal refinement_passed_11_0, refinement_tag_0_valid, refinement_tag_0_map_column : boolean;
+  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
+  signal refinement_tag_1_map_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
+  signal refinement_tag_2_valid, refinement_tag_2_map_column, refinement_tag_2_start_of_frame : boolean;
+  signal refinement_tag_2_end_of_line, refinement_tag_3_valid, refinement_tag_3_map_column : boolean;
+  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
+  signal refinement_tag_4_map_column, refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line : boolean;
+  signal refinement_tag_5_valid, refinement_tag_5_map_column, refinement_tag_5_start_of_frame : boolean;
+  signal refinement_tag_5_end_of_line, refinement_tag_6_valid, refinement_tag_6_map_column : boolean;
+  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
+  signal refinement_tag_7_map_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
+  signal refinement_tag_8_valid, refinement_tag_8_map_column, refinement_tag_8_start_of_frame : boolean;
+  signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_map_column : boolean;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_map_column, refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line : boolean;
+  signal refinement_tag_11_valid, refinement_tag_11_row_start, refinement_tag_11_map_column : boolean;
+  signal refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line, refinement_negative_0_0 : boolean;
   signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
   signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_remainder_0_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 4095;
-  signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 4095;
-  signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 4095;
-  signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 4095;
-  signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 4095;
-  signal refinement_divisor_7_0 : natural range 0 to 4095;
-  signal refinement_quotient_2_0 : natural range 0 to 3;
-  signal refinement_quotient_3_0 : natural range 0 to 7;
-  signal refinement_quotient_4_0 : natural range 0 to 15;
-  signal refinement_quotient_5_0 : natural range 0 to 31;
-  signal refinement_quotient_6_0 : natural range 0 to 63;
-  signal refinement_quotient_7_0 : natural range 0 to 127;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0 : natural range 0 to 4095;
+  signal refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 4095;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 4095;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 4095;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 4095;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 4095;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 4095;
+  signal refinement_difference_0 : integer range -4095 to 4095;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
-  signal map_counter_column, map_counter_group, map_read_column, map_ready_column : natural range 0 to 511;
-  signal map_write_column, map_at_column : natural range 0 to 511;
+  signal map_counter_column, map_counter_group, map_write_column, map_at_column : natural range 0 to 511;
+  signal map_comparing_column, map_sorted_column : natural range 0 to 511;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
-  signal map_arrives, map_behind, map_line_ended, map_read_arrives, map_read_behind, map_read_top : boolean;
-  signal map_read_output, map_ready_arrives, map_ready_behind, map_ready_top, map_ready_output : boolean;
-  signal map_at_arrives, map_at_behind, map_at_top, map_at_output, map_passed_0_0, map_passed_1_0 : boolean;
-  signal map_complete, map_first, map_last, map_waiting_passed_0, map_waiting_valid : boolean;
-  signal map_waiting_start_of_frame, map_waiting_end_of_line, map_out_passed_0, map_out_valid : boolean;
-  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_read_words_0 : unsigned(25 downto 0);
   signal map_rows_ready_words_0 : natural range 0 to 67108863;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
-  signal map_low_0_0, map_low_1_0, map_low_2_0, map_largest_low_0 : natural range 0 to 4095;
-  signal map_middle_0_0, map_middle_1_0, map_middle_2_0, map_high_0_0, map_high_1_0 : natural range 0 to 32767;
-  signal map_high_2_0, map_median_middle_0, map_smallest_high_0, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
+  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0 : natural range 0 to 32767;
+  signal map_middle_2_0, map_high_0_0, map_high_1_0, map_high_2_0, map_of_low_0_a : natural range 0 to 32767;
+  signal map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b : natural range 0 to 32767;
+  signal map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c : natural range 0 to 32767;
+  signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
+  signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0, other_1, other_2, other_3, other_4, other_5, other_7, other_8, other_9 : boolean;
-  signal other_6 : natural range 0 to 8190;
+  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8 : boolean;
+  signal other_9, other_11 : unsigned(48 downto 0);
+  signal other_10 : natural range 0 to 8190;
+  signal other_12 : natural range 0 to 254;
+  signal other_13 : natural range 0 to 252;
+  signal other_14 : natural range 0 to 248;
+  signal other_15 : natural range 0 to 240;
+  signal other_16 : natural range 0 to 224;
+  signal other_17 : natural range 0 to 192;
+  signal other_18 : natural range 0 to 128;
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
@@ -1538,234 +1555,230 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_counter_next_frame_is_equal, transform_read_column_inside_0_is_less : boolean;
-    variable transform_read_column_inside_1_is_not_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
-    variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
-    variable transform_left_filter_feature_0_value_2, transform_left_filter_feature_0_choice_3 : boolean;
-    variable transform_left_filter_feature_0_value_3, transform_left_filter_feature_0_choice_4 : boolean;
-    variable transform_left_filter_feature_0_value_4, transform_left_filter_feature_0_choice_5 : boolean;
-    variable transform_left_filter_feature_0_value_5, transform_left_filter_feature_0_choice_6 : boolean;
-    variable transform_left_filter_feature_0_value_6, transform_left_filter_feature_0_choice_7 : boolean;
-    variable transform_left_filter_feature_0_choice_8, transform_left_filter_feature_0_choice_9 : boolean;
-    variable transform_left_filter_feature_0_choice_10, transform_left_filter_feature_0_choice_11 : boolean;
-    variable transform_left_filter_feature_0_choice_12, transform_left_filter_feature_0_choice_13 : boolean;
-    variable transform_left_filter_feature_0_choice_14, transform_left_filter_feature_0_choice_15 : boolean;
-    variable transform_left_filter_feature_0_choice_16, transform_left_filter_feature_0_choice_17 : boolean;
-    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
-    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
-    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
-    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_choice_25 : boolean;
-    variable transform_left_filter_feature_0_choice_26, transform_left_filter_feature_0_choice_27 : boolean;
-    variable transform_left_filter_feature_0_choice_28, transform_left_filter_feature_0_choice_29 : boolean;
-    variable transform_left_filter_feature_0_choice_30, transform_left_filter_feature_0_choice_31 : boolean;
-    variable transform_left_filter_feature_0_choice_32, transform_left_filter_feature_0_choice_33 : boolean;
-    variable transform_left_filter_feature_0_choice_34, transform_left_filter_feature_0_choice_35 : boolean;
-    variable transform_left_filter_feature_0_choice_36, transform_left_filter_feature_0_choice_37 : boolean;
-    variable transform_left_filter_feature_0_choice_38, transform_left_filter_feature_0_choice_39 : boolean;
-    variable transform_left_filter_feature_0_choice_40, transform_left_filter_feature_0_choice_41 : boolean;
-    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
-    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
-    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
-    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
-    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_choice_51 : boolean;
-    variable transform_left_filter_feature_0_choice_52, transform_left_filter_feature_0_choice_53 : boolean;
-    variable transform_left_filter_feature_0_choice_54, transform_left_filter_feature_0_choice_55 : boolean;
-    variable transform_left_filter_feature_0_choice_56, transform_left_filter_feature_0_choice_57 : boolean;
-    variable transform_left_filter_feature_0_choice_58, transform_left_filter_feature_0_choice_59 : boolean;
-    variable transform_left_filter_feature_0_choice_60, transform_left_filter_feature_0_choice_61 : boolean;
-    variable transform_left_filter_feature_0_choice_62, transform_left_filter_feature_0_choice_63 : boolean;
-    variable transform_left_filter_feature_0_choice_64, transform_left_filter_feature_0_choice_65 : boolean;
-    variable transform_left_filter_feature_0_choice_66, transform_left_filter_feature_0_choice_67 : boolean;
-    variable transform_left_filter_feature_0_choice_68, transform_left_filter_feature_0_choice_69 : boolean;
-    variable transform_left_filter_feature_0_choice_70, transform_left_filter_feature_0_choice_71 : boolean;
-    variable transform_left_filter_feature_0_choice_72, transform_left_filter_feature_0_choice_73 : boolean;
-    variable transform_left_filter_feature_0_choice_74, transform_left_filter_feature_0_choice_75 : boolean;
-    variable transform_left_filter_feature_0_choice_76, transform_left_filter_feature_0_choice_77 : boolean;
-    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
-    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
-    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
-    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
-    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
-    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
-    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
-    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
-    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
-    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
-    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
-    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
-    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_choice_103 : boolean;
-    variable transform_left_filter_feature_0_choice_104, transform_left_filter_feature_0_choice_105 : boolean;
-    variable transform_left_filter_feature_0_choice_106, transform_left_filter_feature_0_choice_107 : boolean;
-    variable transform_left_filter_feature_0_choice_108, transform_left_filter_feature_0_choice_109 : boolean;
-    variable transform_left_filter_feature_0_choice_110, transform_left_filter_feature_0_choice_111 : boolean;
-    variable transform_left_filter_feature_0_choice_112, transform_left_filter_feature_0_choice_113 : boolean;
-    variable transform_left_filter_feature_0_choice_114, transform_left_filter_feature_0_choice_115 : boolean;
-    variable transform_left_filter_feature_0_choice_116, transform_left_filter_feature_0_choice_117 : boolean;
-    variable transform_left_filter_feature_0_choice_118, transform_left_filter_feature_0_choice_119 : boolean;
-    variable transform_left_filter_feature_0_choice_120, transform_left_filter_feature_0_choice_121 : boolean;
-    variable transform_left_filter_feature_0_choice_122, transform_left_filter_feature_0_choice_123 : boolean;
-    variable transform_left_filter_feature_0_choice_124, transform_left_filter_feature_0_choice_125 : boolean;
-    variable transform_left_filter_feature_0_choice_126, transform_left_filter_feature_0_choice_127 : boolean;
-    variable transform_left_filter_feature_0_choice_128, transform_left_filter_feature_0_choice_129 : boolean;
-    variable transform_left_filter_feature_0_choice_130, transform_left_filter_feature_0_choice_131 : boolean;
-    variable transform_left_filter_feature_0_choice_132, transform_left_filter_feature_0_choice_133 : boolean;
-    variable transform_left_filter_feature_0_choice_134, transform_left_filter_feature_0_choice_135 : boolean;
-    variable transform_left_filter_feature_0_choice_136, transform_left_filter_feature_0_choice_137 : boolean;
-    variable transform_left_filter_feature_0_choice_138, transform_left_filter_feature_0_choice_139 : boolean;
-    variable transform_left_filter_feature_0_choice_140, transform_left_filter_feature_0_choice_141 : boolean;
-    variable transform_left_filter_feature_0_choice_142, transform_left_filter_feature_0_choice_143 : boolean;
-    variable transform_left_filter_feature_0_choice_144, transform_left_filter_feature_0_choice_145 : boolean;
-    variable transform_left_filter_feature_0_choice_146, transform_left_filter_feature_0_choice_147 : boolean;
-    variable transform_left_filter_feature_0_choice_148, transform_left_filter_feature_0_choice_149 : boolean;
-    variable transform_left_filter_feature_0_choice_150, transform_left_filter_feature_0_choice_151 : boolean;
-    variable transform_left_filter_feature_0_choice_152, transform_left_filter_feature_0_choice_153 : boolean;
-    variable transform_left_filter_feature_0_choice_154, transform_left_filter_feature_0_choice_155 : boolean;
-    variable transform_left_filter_feature_0_choice_156, transform_left_filter_feature_0_choice_157 : boolean;
-    variable transform_left_filter_feature_0_choice_158, transform_left_filter_feature_0_choice_159 : boolean;
-    variable transform_left_filter_feature_0_choice_160, transform_left_filter_feature_0_choice_161 : boolean;
-    variable transform_left_filter_feature_0_choice_162, transform_left_filter_feature_0_choice_163 : boolean;
-    variable transform_left_filter_feature_0_choice_164, transform_left_filter_feature_0_choice_165 : boolean;
-    variable transform_left_filter_feature_0_choice_166, transform_left_filter_feature_0_choice_167 : boolean;
-    variable transform_left_filter_feature_0_choice_168, transform_left_filter_feature_0_choice_169 : boolean;
-    variable transform_left_filter_feature_0_choice_170, transform_left_filter_feature_0_choice_171 : boolean;
-    variable transform_left_filter_feature_0_choice_172, transform_left_filter_feature_0_choice_173 : boolean;
-    variable transform_left_filter_feature_0_choice_174, transform_left_filter_feature_0_choice_175 : boolean;
-    variable transform_left_filter_feature_0_choice_176, transform_left_filter_feature_0_choice_177 : boolean;
-    variable transform_left_filter_feature_0_choice_178, transform_left_filter_feature_0_choice_179 : boolean;
-    variable transform_left_filter_feature_0_choice_180, transform_left_filter_feature_0_choice_181 : boolean;
-    variable transform_left_filter_feature_0_choice_182, transform_left_filter_feature_0_choice_183 : boolean;
-    variable transform_left_filter_feature_0_choice_184, transform_left_filter_feature_0_choice_185 : boolean;
-    variable transform_left_filter_feature_0_choice_186, transform_left_filter_feature_0_choice_187 : boolean;
-    variable transform_left_filter_feature_0_choice_188, transform_left_filter_feature_0_choice_189 : boolean;
-    variable transform_left_filter_feature_0_choice_190, transform_left_filter_feature_0_choice_191 : boolean;
-    variable transform_left_filter_feature_0_choice_192, transform_left_filter_feature_0_choice_193 : boolean;
-    variable transform_left_filter_feature_0_choice_194, transform_left_filter_feature_0_value_7 : boolean;
-    variable transform_left_filter_feature_0_choice_195, transform_left_filter_feature_0_value_8 : boolean;
-    variable transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_value_9 : boolean;
-    variable transform_left_filter_feature_0_choice_197, transform_left_filter_feature_0_value_10 : boolean;
-    variable transform_left_filter_feature_0_choice_198, transform_left_filter_feature_0_value_11 : boolean;
-    variable transform_left_filter_feature_0_choice_199, transform_left_filter_feature_0_choice_200 : boolean;
-    variable transform_left_filter_feature_0_choice_205, transform_left_filter_feature_0_choice_206 : boolean;
-    variable transform_left_filter_feature_0_choice_207, transform_left_filter_feature_0_choice_208 : boolean;
-    variable transform_left_filter_feature_0_choice_209, transform_left_filter_feature_0_choice_210 : boolean;
-    variable transform_left_filter_feature_0_choice_211, transform_left_filter_feature_0_choice_212 : boolean;
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choice_2, transform_right_filter_feature_0_value_2 : boolean;
-    variable transform_right_filter_feature_0_choice_3, transform_right_filter_feature_0_value_3 : boolean;
-    variable transform_right_filter_feature_0_choice_4, transform_right_filter_feature_0_value_4 : boolean;
-    variable transform_right_filter_feature_0_choice_5, transform_right_filter_feature_0_value_5 : boolean;
-    variable transform_right_filter_feature_0_choice_6, transform_right_filter_feature_0_value_6 : boolean;
-    variable transform_right_filter_feature_0_choice_7, transform_right_filter_feature_0_choice_8 : boolean;
-    variable transform_right_filter_feature_0_choice_9, transform_right_filter_feature_0_choice_10 : boolean;
-    variable transform_right_filter_feature_0_choice_11, transform_right_filter_feature_0_choice_12 : boolean;
-    variable transform_right_filter_feature_0_choice_13, transform_right_filter_feature_0_choice_14 : boolean;
-    variable transform_right_filter_feature_0_choice_15, transform_right_filter_feature_0_choice_16 : boolean;
-    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
-    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
-    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
-    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
-    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
-    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
-    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_choice_30 : boolean;
-    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_choice_32 : boolean;
-    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
-    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
-    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
-    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
-    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
-    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
-    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
-    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
-    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
-    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_choice_52 : boolean;
-    variable transform_right_filter_feature_0_choice_53, transform_right_filter_feature_0_choice_54 : boolean;
-    variable transform_right_filter_feature_0_choice_55, transform_right_filter_feature_0_choice_56 : boolean;
-    variable transform_right_filter_feature_0_choice_57, transform_right_filter_feature_0_choice_58 : boolean;
-    variable transform_right_filter_feature_0_choice_59, transform_right_filter_feature_0_choice_60 : boolean;
-    variable transform_right_filter_feature_0_choice_61, transform_right_filter_feature_0_choice_62 : boolean;
-    variable transform_right_filter_feature_0_choice_63, transform_right_filter_feature_0_choice_64 : boolean;
-    variable transform_right_filter_feature_0_choice_65, transform_right_filter_feature_0_choice_66 : boolean;
-    variable transform_right_filter_feature_0_choice_67, transform_right_filter_feature_0_choice_68 : boolean;
-    variable transform_right_filter_feature_0_choice_69, transform_right_filter_feature_0_choice_70 : boolean;
-    variable transform_right_filter_feature_0_choice_71, transform_right_filter_feature_0_choice_72 : boolean;
-    variable transform_right_filter_feature_0_choice_73, transform_right_filter_feature_0_choice_74 : boolean;
-    variable transform_right_filter_feature_0_choice_75, transform_right_filter_feature_0_choice_76 : boolean;
-    variable transform_right_filter_feature_0_choice_77, transform_right_filter_feature_0_choice_78 : boolean;
-    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
-    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_choice_82 : boolean;
-    variable transform_right_filter_feature_0_choice_83, transform_right_filter_feature_0_choice_84 : boolean;
-    variable transform_right_filter_feature_0_choice_85, transform_right_filter_feature_0_choice_86 : boolean;
-    variable transform_right_filter_feature_0_choice_87, transform_right_filter_feature_0_choice_88 : boolean;
-    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_choice_90 : boolean;
-    variable transform_right_filter_feature_0_choice_91, transform_right_filter_feature_0_choice_92 : boolean;
-    variable transform_right_filter_feature_0_choice_93, transform_right_filter_feature_0_choice_94 : boolean;
-    variable transform_right_filter_feature_0_choice_95, transform_right_filter_feature_0_choice_96 : boolean;
-    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
-    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
-    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
-    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
-    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_choice_106 : boolean;
-    variable transform_right_filter_feature_0_choice_107, transform_right_filter_feature_0_choice_108 : boolean;
-    variable transform_right_filter_feature_0_choice_109, transform_right_filter_feature_0_choice_110 : boolean;
-    variable transform_right_filter_feature_0_choice_111, transform_right_filter_feature_0_choice_112 : boolean;
-    variable transform_right_filter_feature_0_choice_113, transform_right_filter_feature_0_choice_114 : boolean;
-    variable transform_right_filter_feature_0_choice_115, transform_right_filter_feature_0_choice_116 : boolean;
-    variable transform_right_filter_feature_0_choice_117, transform_right_filter_feature_0_choice_118 : boolean;
-    variable transform_right_filter_feature_0_choice_119, transform_right_filter_feature_0_choice_120 : boolean;
-    variable transform_right_filter_feature_0_choice_121, transform_right_filter_feature_0_choice_122 : boolean;
-    variable transform_right_filter_feature_0_choice_123, transform_right_filter_feature_0_choice_124 : boolean;
-    variable transform_right_filter_feature_0_choice_125, transform_right_filter_feature_0_choice_126 : boolean;
-    variable transform_right_filter_feature_0_choice_127, transform_right_filter_feature_0_choice_128 : boolean;
-    variable transform_right_filter_feature_0_choice_129, transform_right_filter_feature_0_choice_130 : boolean;
-    variable transform_right_filter_feature_0_choice_131, transform_right_filter_feature_0_choice_132 : boolean;
-    variable transform_right_filter_feature_0_choice_133, transform_right_filter_feature_0_choice_134 : boolean;
-    variable transform_right_filter_feature_0_choice_135, transform_right_filter_feature_0_choice_136 : boolean;
-    variable transform_right_filter_feature_0_choice_137, transform_right_filter_feature_0_choice_138 : boolean;
-    variable transform_right_filter_feature_0_choice_139, transform_right_filter_feature_0_choice_140 : boolean;
-    variable transform_right_filter_feature_0_choice_141, transform_right_filter_feature_0_choice_142 : boolean;
-    variable transform_right_filter_feature_0_choice_143, transform_right_filter_feature_0_choice_144 : boolean;
-    variable transform_right_filter_feature_0_choice_145, transform_right_filter_feature_0_choice_146 : boolean;
-    variable transform_right_filter_feature_0_choice_147, transform_right_filter_feature_0_choice_148 : boolean;
-    variable transform_right_filter_feature_0_choice_149, transform_right_filter_feature_0_choice_150 : boolean;
-    variable transform_right_filter_feature_0_choice_151, transform_right_filter_feature_0_choice_152 : boolean;
-    variable transform_right_filter_feature_0_choice_153, transform_right_filter_feature_0_choice_154 : boolean;
-    variable transform_right_filter_feature_0_choice_155, transform_right_filter_feature_0_choice_156 : boolean;
-    variable transform_right_filter_feature_0_choice_157, transform_right_filter_feature_0_choice_158 : boolean;
-    variable transform_right_filter_feature_0_choice_159, transform_right_filter_feature_0_choice_160 : boolean;
-    variable transform_right_filter_feature_0_choice_161, transform_right_filter_feature_0_choice_162 : boolean;
-    variable transform_right_filter_feature_0_choice_163, transform_right_filter_feature_0_choice_164 : boolean;
-    variable transform_right_filter_feature_0_choice_165, transform_right_filter_feature_0_choice_166 : boolean;
-    variable transform_right_filter_feature_0_choice_167, transform_right_filter_feature_0_choice_168 : boolean;
-    variable transform_right_filter_feature_0_choice_169, transform_right_filter_feature_0_choice_170 : boolean;
-    variable transform_right_filter_feature_0_choice_171, transform_right_filter_feature_0_choice_172 : boolean;
-    variable transform_right_filter_feature_0_choice_173, transform_right_filter_feature_0_choice_174 : boolean;
-    variable transform_right_filter_feature_0_choice_175, transform_right_filter_feature_0_choice_176 : boolean;
-    variable transform_right_filter_feature_0_choice_177, transform_right_filter_feature_0_choice_178 : boolean;
-    variable transform_right_filter_feature_0_choice_179, transform_right_filter_feature_0_choice_180 : boolean;
-    variable transform_right_filter_feature_0_choice_181, transform_right_filter_feature_0_choice_182 : boolean;
-    variable transform_right_filter_feature_0_choice_183, transform_right_filter_feature_0_choice_184 : boolean;
-    variable transform_right_filter_feature_0_choice_185, transform_right_filter_feature_0_choice_186 : boolean;
-    variable transform_right_filter_feature_0_choice_187, transform_right_filter_feature_0_choice_188 : boolean;
-    variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_choice_190 : boolean;
-    variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable transform_right_filter_feature_0_choice_193, transform_right_filter_feature_0_choice_194 : boolean;
-    variable transform_right_filter_feature_0_value_7, transform_right_filter_feature_0_choice_195 : boolean;
-    variable transform_right_filter_feature_0_value_8, transform_right_filter_feature_0_choice_196 : boolean;
-    variable transform_right_filter_feature_0_value_9, transform_right_filter_feature_0_choice_197 : boolean;
-    variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_198 : boolean;
-    variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_199 : boolean;
-    variable transform_right_filter_feature_0_choice_200, transform_right_filter_feature_0_choice_205 : boolean;
-    variable transform_right_filter_feature_0_choice_206, transform_right_filter_feature_0_choice_207 : boolean;
-    variable transform_right_filter_feature_0_choice_208, transform_right_filter_feature_0_choice_209 : boolean;
-    variable transform_right_filter_feature_0_choice_210, transform_right_filter_feature_0_choice_211 : boolean;
-    variable transform_right_filter_feature_0_choice_212, raster_place_group_is_equal : boolean;
-    variable delay_ring_read_address_differs, delay_ring_read_address_is_equal : boolean;
-    variable delay_ring_read_address_choice, delay_ring_read_address_choice_2 : boolean;
-    variable delay_ring_read_address_is_equal_2, delay_ring_read_address_all : boolean;
-    variable delay_ring_read_address_choice_3, delay_ring_read_address_all_2, delay_ring_write_address_choice : boolean;
-    variable delay_ring_write_address_choice_2, slice0cost_pixels_first_0_0_count_0_value : boolean;
+    variable transform_read_column_inside_0_is_less, transform_read_column_inside_1_is_not_less : boolean;
+    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_is_equal : boolean;
+    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_value_2 : boolean;
+    variable transform_left_filter_feature_0_choice_3, transform_left_filter_feature_0_value_3 : boolean;
+    variable transform_left_filter_feature_0_choice_4, transform_left_filter_feature_0_value_4 : boolean;
+    variable transform_left_filter_feature_0_choice_5, transform_left_filter_feature_0_value_5 : boolean;
+    variable transform_left_filter_feature_0_choice_6, transform_left_filter_feature_0_value_6 : boolean;
+    variable transform_left_filter_feature_0_choice_7, transform_left_filter_feature_0_choice_8 : boolean;
+    variable transform_left_filter_feature_0_choice_9, transform_left_filter_feature_0_choice_10 : boolean;
+    variable transform_left_filter_feature_0_choice_11, transform_left_filter_feature_0_choice_12 : boolean;
+    variable transform_left_filter_feature_0_choice_13, transform_left_filter_feature_0_choice_14 : boolean;
+    variable transform_left_filter_feature_0_choice_15, transform_left_filter_feature_0_choice_16 : boolean;
+    variable transform_left_filter_feature_0_choice_17, transform_left_filter_feature_0_choice_18 : boolean;
+    variable transform_left_filter_feature_0_choice_19, transform_left_filter_feature_0_choice_20 : boolean;
+    variable transform_left_filter_feature_0_choice_21, transform_left_filter_feature_0_choice_22 : boolean;
+    variable transform_left_filter_feature_0_choice_23, transform_left_filter_feature_0_choice_24 : boolean;
+    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
+    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
+    variable transform_left_filter_feature_0_choice_29, transform_left_filter_feature_0_choice_30 : boolean;
+    variable transform_left_filter_feature_0_choice_31, transform_left_filter_feature_0_choice_32 : boolean;
+    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
+    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
+    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
+    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
+    variable transform_left_filter_feature_0_choice_41, transform_left_filter_feature_0_choice_42 : boolean;
+    variable transform_left_filter_feature_0_choice_43, transform_left_filter_feature_0_choice_44 : boolean;
+    variable transform_left_filter_feature_0_choice_45, transform_left_filter_feature_0_choice_46 : boolean;
+    variable transform_left_filter_feature_0_choice_47, transform_left_filter_feature_0_choice_48 : boolean;
+    variable transform_left_filter_feature_0_choice_49, transform_left_filter_feature_0_choice_50 : boolean;
+    variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
+    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
+    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
+    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
+    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
+    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
+    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
+    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
+    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
+    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
+    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
+    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
+    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
+    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
+    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
+    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
+    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
+    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
+    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
+    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
+    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
+    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
+    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_choice_96 : boolean;
+    variable transform_left_filter_feature_0_choice_97, transform_left_filter_feature_0_choice_98 : boolean;
+    variable transform_left_filter_feature_0_choice_99, transform_left_filter_feature_0_choice_100 : boolean;
+    variable transform_left_filter_feature_0_choice_101, transform_left_filter_feature_0_choice_102 : boolean;
+    variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
+    variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
+    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
+    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
+    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
+    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
+    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
+    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
+    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
+    variable transform_left_filter_feature_0_choice_121, transform_left_filter_feature_0_choice_122 : boolean;
+    variable transform_left_filter_feature_0_choice_123, transform_left_filter_feature_0_choice_124 : boolean;
+    variable transform_left_filter_feature_0_choice_125, transform_left_filter_feature_0_choice_126 : boolean;
+    variable transform_left_filter_feature_0_choice_127, transform_left_filter_feature_0_choice_128 : boolean;
+    variable transform_left_filter_feature_0_choice_129, transform_left_filter_feature_0_choice_130 : boolean;
+    variable transform_left_filter_feature_0_choice_131, transform_left_filter_feature_0_choice_132 : boolean;
+    variable transform_left_filter_feature_0_choice_133, transform_left_filter_feature_0_choice_134 : boolean;
+    variable transform_left_filter_feature_0_choice_135, transform_left_filter_feature_0_choice_136 : boolean;
+    variable transform_left_filter_feature_0_choice_137, transform_left_filter_feature_0_choice_138 : boolean;
+    variable transform_left_filter_feature_0_choice_139, transform_left_filter_feature_0_choice_140 : boolean;
+    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_choice_142 : boolean;
+    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_choice_144 : boolean;
+    variable transform_left_filter_feature_0_choice_145, transform_left_filter_feature_0_choice_146 : boolean;
+    variable transform_left_filter_feature_0_choice_147, transform_left_filter_feature_0_choice_148 : boolean;
+    variable transform_left_filter_feature_0_choice_149, transform_left_filter_feature_0_choice_150 : boolean;
+    variable transform_left_filter_feature_0_choice_151, transform_left_filter_feature_0_choice_152 : boolean;
+    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_154 : boolean;
+    variable transform_left_filter_feature_0_choice_155, transform_left_filter_feature_0_choice_156 : boolean;
+    variable transform_left_filter_feature_0_choice_157, transform_left_filter_feature_0_choice_158 : boolean;
+    variable transform_left_filter_feature_0_choice_159, transform_left_filter_feature_0_choice_160 : boolean;
+    variable transform_left_filter_feature_0_choice_161, transform_left_filter_feature_0_choice_162 : boolean;
+    variable transform_left_filter_feature_0_choice_163, transform_left_filter_feature_0_choice_164 : boolean;
+    variable transform_left_filter_feature_0_choice_165, transform_left_filter_feature_0_choice_166 : boolean;
+    variable transform_left_filter_feature_0_choice_167, transform_left_filter_feature_0_choice_168 : boolean;
+    variable transform_left_filter_feature_0_choice_169, transform_left_filter_feature_0_choice_170 : boolean;
+    variable transform_left_filter_feature_0_choice_171, transform_left_filter_feature_0_choice_172 : boolean;
+    variable transform_left_filter_feature_0_choice_173, transform_left_filter_feature_0_choice_174 : boolean;
+    variable transform_left_filter_feature_0_choice_175, transform_left_filter_feature_0_choice_176 : boolean;
+    variable transform_left_filter_feature_0_choice_177, transform_left_filter_feature_0_choice_178 : boolean;
+    variable transform_left_filter_feature_0_choice_179, transform_left_filter_feature_0_choice_180 : boolean;
+    variable transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_182 : boolean;
+    variable transform_left_filter_feature_0_choice_183, transform_left_filter_feature_0_choice_184 : boolean;
+    variable transform_left_filter_feature_0_choice_185, transform_left_filter_feature_0_choice_186 : boolean;
+    variable transform_left_filter_feature_0_choice_187, transform_left_filter_feature_0_choice_188 : boolean;
+    variable transform_left_filter_feature_0_choice_189, transform_left_filter_feature_0_choice_190 : boolean;
+    variable transform_left_filter_feature_0_choice_191, transform_left_filter_feature_0_choice_192 : boolean;
+    variable transform_left_filter_feature_0_choice_193, transform_left_filter_feature_0_choice_194 : boolean;
+    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_195 : boolean;
+    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_196 : boolean;
+    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_197 : boolean;
+    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_198 : boolean;
+    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_199 : boolean;
+    variable transform_left_filter_feature_0_choice_200, transform_left_filter_feature_0_choice_205 : boolean;
+    variable transform_left_filter_feature_0_choice_206, transform_left_filter_feature_0_choice_207 : boolean;
+    variable transform_left_filter_feature_0_choice_208, transform_left_filter_feature_0_choice_209 : boolean;
+    variable transform_left_filter_feature_0_choice_210, transform_left_filter_feature_0_choice_211 : boolean;
+    variable transform_left_filter_feature_0_choice_212, transform_right_filter_feature_0_value : boolean;
+    variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
+    variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
+    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
+    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_4 : boolean;
+    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_5 : boolean;
+    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_6 : boolean;
+    variable transform_right_filter_feature_0_value_6, transform_right_filter_feature_0_choice_7 : boolean;
+    variable transform_right_filter_feature_0_choice_8, transform_right_filter_feature_0_choice_9 : boolean;
+    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
+    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
+    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
+    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_choice_17 : boolean;
+    variable transform_right_filter_feature_0_choice_18, transform_right_filter_feature_0_choice_19 : boolean;
+    variable transform_right_filter_feature_0_choice_20, transform_right_filter_feature_0_choice_21 : boolean;
+    variable transform_right_filter_feature_0_choice_22, transform_right_filter_feature_0_choice_23 : boolean;
+    variable transform_right_filter_feature_0_choice_24, transform_right_filter_feature_0_choice_25 : boolean;
+    variable transform_right_filter_feature_0_choice_26, transform_right_filter_feature_0_choice_27 : boolean;
+    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_choice_29 : boolean;
+    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_choice_31 : boolean;
+    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_choice_33 : boolean;
+    variable transform_right_filter_feature_0_choice_34, transform_right_filter_feature_0_choice_35 : boolean;
+    variable transform_right_filter_feature_0_choice_36, transform_right_filter_feature_0_choice_37 : boolean;
+    variable transform_right_filter_feature_0_choice_38, transform_right_filter_feature_0_choice_39 : boolean;
+    variable transform_right_filter_feature_0_choice_40, transform_right_filter_feature_0_choice_41 : boolean;
+    variable transform_right_filter_feature_0_choice_42, transform_right_filter_feature_0_choice_43 : boolean;
+    variable transform_right_filter_feature_0_choice_44, transform_right_filter_feature_0_choice_45 : boolean;
+    variable transform_right_filter_feature_0_choice_46, transform_right_filter_feature_0_choice_47 : boolean;
+    variable transform_right_filter_feature_0_choice_48, transform_right_filter_feature_0_choice_49 : boolean;
+    variable transform_right_filter_feature_0_choice_50, transform_right_filter_feature_0_choice_51 : boolean;
+    variable transform_right_filter_feature_0_choice_52, transform_right_filter_feature_0_choice_53 : boolean;
+    variable transform_right_filter_feature_0_choice_54, transform_right_filter_feature_0_choice_55 : boolean;
+    variable transform_right_filter_feature_0_choice_56, transform_right_filter_feature_0_choice_57 : boolean;
+    variable transform_right_filter_feature_0_choice_58, transform_right_filter_feature_0_choice_59 : boolean;
+    variable transform_right_filter_feature_0_choice_60, transform_right_filter_feature_0_choice_61 : boolean;
+    variable transform_right_filter_feature_0_choice_62, transform_right_filter_feature_0_choice_63 : boolean;
+    variable transform_right_filter_feature_0_choice_64, transform_right_filter_feature_0_choice_65 : boolean;
+    variable transform_right_filter_feature_0_choice_66, transform_right_filter_feature_0_choice_67 : boolean;
+    variable transform_right_filter_feature_0_choice_68, transform_right_filter_feature_0_choice_69 : boolean;
+    variable transform_right_filter_feature_0_choice_70, transform_right_filter_feature_0_choice_71 : boolean;
+    variable transform_right_filter_feature_0_choice_72, transform_right_filter_feature_0_choice_73 : boolean;
+    variable transform_right_filter_feature_0_choice_74, transform_right_filter_feature_0_choice_75 : boolean;
+    variable transform_right_filter_feature_0_choice_76, transform_right_filter_feature_0_choice_77 : boolean;
+    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_choice_79 : boolean;
+    variable transform_right_filter_feature_0_choice_80, transform_right_filter_feature_0_choice_81 : boolean;
+    variable transform_right_filter_feature_0_choice_82, transform_right_filter_feature_0_choice_83 : boolean;
+    variable transform_right_filter_feature_0_choice_84, transform_right_filter_feature_0_choice_85 : boolean;
+    variable transform_right_filter_feature_0_choice_86, transform_right_filter_feature_0_choice_87 : boolean;
+    variable transform_right_filter_feature_0_choice_88, transform_right_filter_feature_0_choice_89 : boolean;
+    variable transform_right_filter_feature_0_choice_90, transform_right_filter_feature_0_choice_91 : boolean;
+    variable transform_right_filter_feature_0_choice_92, transform_right_filter_feature_0_choice_93 : boolean;
+    variable transform_right_filter_feature_0_choice_94, transform_right_filter_feature_0_choice_95 : boolean;
+    variable transform_right_filter_feature_0_choice_96, transform_right_filter_feature_0_choice_97 : boolean;
+    variable transform_right_filter_feature_0_choice_98, transform_right_filter_feature_0_choice_99 : boolean;
+    variable transform_right_filter_feature_0_choice_100, transform_right_filter_feature_0_choice_101 : boolean;
+    variable transform_right_filter_feature_0_choice_102, transform_right_filter_feature_0_choice_103 : boolean;
+    variable transform_right_filter_feature_0_choice_104, transform_right_filter_feature_0_choice_105 : boolean;
+    variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
+    variable transform_right_filter_feature_0_choice_108, transform_right_filter_feature_0_choice_109 : boolean;
+    variable transform_right_filter_feature_0_choice_110, transform_right_filter_feature_0_choice_111 : boolean;
+    variable transform_right_filter_feature_0_choice_112, transform_right_filter_feature_0_choice_113 : boolean;
+    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
+    variable transform_right_filter_feature_0_choice_116, transform_right_filter_feature_0_choice_117 : boolean;
+    variable transform_right_filter_feature_0_choice_118, transform_right_filter_feature_0_choice_119 : boolean;
+    variable transform_right_filter_feature_0_choice_120, transform_right_filter_feature_0_choice_121 : boolean;
+    variable transform_right_filter_feature_0_choice_122, transform_right_filter_feature_0_choice_123 : boolean;
+    variable transform_right_filter_feature_0_choice_124, transform_right_filter_feature_0_choice_125 : boolean;
+    variable transform_right_filter_feature_0_choice_126, transform_right_filter_feature_0_choice_127 : boolean;
+    variable transform_right_filter_feature_0_choice_128, transform_right_filter_feature_0_choice_129 : boolean;
+    variable transform_right_filter_feature_0_choice_130, transform_right_filter_feature_0_choice_131 : boolean;
+    variable transform_right_filter_feature_0_choice_132, transform_right_filter_feature_0_choice_133 : boolean;
+    variable transform_right_filter_feature_0_choice_134, transform_right_filter_feature_0_choice_135 : boolean;
+    variable transform_right_filter_feature_0_choice_136, transform_right_filter_feature_0_choice_137 : boolean;
+    variable transform_right_filter_feature_0_choice_138, transform_right_filter_feature_0_choice_139 : boolean;
+    variable transform_right_filter_feature_0_choice_140, transform_right_filter_feature_0_choice_141 : boolean;
+    variable transform_right_filter_feature_0_choice_142, transform_right_filter_feature_0_choice_143 : boolean;
+    variable transform_right_filter_feature_0_choice_144, transform_right_filter_feature_0_choice_145 : boolean;
+    variable transform_right_filter_feature_0_choice_146, transform_right_filter_feature_0_choice_147 : boolean;
+    variable transform_right_filter_feature_0_choice_148, transform_right_filter_feature_0_choice_149 : boolean;
+    variable transform_right_filter_feature_0_choice_150, transform_right_filter_feature_0_choice_151 : boolean;
+    variable transform_right_filter_feature_0_choice_152, transform_right_filter_feature_0_choice_153 : boolean;
+    variable transform_right_filter_feature_0_choice_154, transform_right_filter_feature_0_choice_155 : boolean;
+    variable transform_right_filter_feature_0_choice_156, transform_right_filter_feature_0_choice_157 : boolean;
+    variable transform_right_filter_feature_0_choice_158, transform_right_filter_feature_0_choice_159 : boolean;
+    variable transform_right_filter_feature_0_choice_160, transform_right_filter_feature_0_choice_161 : boolean;
+    variable transform_right_filter_feature_0_choice_162, transform_right_filter_feature_0_choice_163 : boolean;
+    variable transform_right_filter_feature_0_choice_164, transform_right_filter_feature_0_choice_165 : boolean;
+    variable transform_right_filter_feature_0_choice_166, transform_right_filter_feature_0_choice_167 : boolean;
+    variable transform_right_filter_feature_0_choice_168, transform_right_filter_feature_0_choice_169 : boolean;
+    variable transform_right_filter_feature_0_choice_170, transform_right_filter_feature_0_choice_171 : boolean;
+    variable transform_right_filter_feature_0_choice_172, transform_right_filter_feature_0_choice_173 : boolean;
+    variable transform_right_filter_feature_0_choice_174, transform_right_filter_feature_0_choice_175 : boolean;
+    variable transform_right_filter_feature_0_choice_176, transform_right_filter_feature_0_choice_177 : boolean;
+    variable transform_right_filter_feature_0_choice_178, transform_right_filter_feature_0_choice_179 : boolean;
+    variable transform_right_filter_feature_0_choice_180, transform_right_filter_feature_0_choice_181 : boolean;
+    variable transform_right_filter_feature_0_choice_182, transform_right_filter_feature_0_choice_183 : boolean;
+    variable transform_right_filter_feature_0_choice_184, transform_right_filter_feature_0_choice_185 : boolean;
+    variable transform_right_filter_feature_0_choice_186, transform_right_filter_feature_0_choice_187 : boolean;
+    variable transform_right_filter_feature_0_choice_188, transform_right_filter_feature_0_choice_189 : boolean;
+    variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_choice_191 : boolean;
+    variable transform_right_filter_feature_0_choice_192, transform_right_filter_feature_0_choice_193 : boolean;
+    variable transform_right_filter_feature_0_choice_194, transform_right_filter_feature_0_value_7 : boolean;
+    variable transform_right_filter_feature_0_choice_195, transform_right_filter_feature_0_value_8 : boolean;
+    variable transform_right_filter_feature_0_choice_196, transform_right_filter_feature_0_value_9 : boolean;
+    variable transform_right_filter_feature_0_choice_197, transform_right_filter_feature_0_value_10 : boolean;
+    variable transform_right_filter_feature_0_choice_198, transform_right_filter_feature_0_value_11 : boolean;
+    variable transform_right_filter_feature_0_choice_199, transform_right_filter_feature_0_choice_200 : boolean;
+    variable transform_right_filter_feature_0_choice_205, transform_right_filter_feature_0_choice_206 : boolean;
+    variable transform_right_filter_feature_0_choice_207, transform_right_filter_feature_0_choice_208 : boolean;
+    variable transform_right_filter_feature_0_choice_209, transform_right_filter_feature_0_choice_210 : boolean;
+    variable transform_right_filter_feature_0_choice_211, transform_right_filter_feature_0_choice_212 : boolean;
+    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable raster_place_group_is_equal, slice0cost_pixels_first_0_0_count_0_value : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_0_choice : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value_3, slice0cost_pixels_first_0_0_count_0_value_4 : boolean;
     variable slice0cost_pixels_first_0_0_count_0_choice_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
@@ -3079,13 +3092,13 @@ begin
     variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
     variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
     variable slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable refinement_remainder_0_0_is_less, refinement_remainder_1_0_is_not_less : boolean;
-    variable refinement_remainder_2_0_is_not_less, refinement_remainder_3_0_is_not_less : boolean;
-    variable refinement_remainder_4_0_is_not_less, refinement_remainder_5_0_is_not_less : boolean;
-    variable refinement_remainder_6_0_is_not_less, refinement_remainder_7_0_is_not_less : boolean;
-    variable map_line_ended_choice, map_passed_1_0_all, map_passed_1_0_any, map_complete_is_equal : boolean;
-    variable map_complete_choice, map_median_middle_0_is_less, map_out_disparity_0_is_less : boolean;
-    variable map_low_0_0_is_less, map_low_1_0_all, map_middle_0_0_is_less : boolean;
+    variable refinement_tag_11_row_start_differs, refinement_tag_11_row_start_is_equal : boolean;
+    variable refinement_tag_11_row_start_choice, refinement_tag_11_row_start_choice_2 : boolean;
+    variable refinement_tag_11_row_start_is_equal_2, refinement_tag_11_row_start_all : boolean;
+    variable refinement_tag_11_row_start_choice_3, refinement_tag_11_row_start_all_2 : boolean;
+    variable refinement_divisor_0_0_is_less, map_counter_group_is_equal, map_line_ended_choice : boolean;
+    variable map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice, map_low_1_0_all : boolean;
+    variable map_low_0_0_all : boolean;
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 375;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
     variable transform_left_filter_feature_0_choice_203 : natural range 0 to 511;
@@ -3143,16 +3156,8 @@ begin
     variable slice2winner3_best_below_0_1_choice, slice2winner3_best_above_0_0_choice : natural range 0 to 4095;
     variable slice2winner3_best_above_0_1_choice, slice2winner4_best_below_0_0_choice : natural range 0 to 4095;
     variable slice2winner4_best_above_0_0_choice, slice2_best_below_0_0_choice : natural range 0 to 4095;
-    variable slice2_best_above_0_0_choice, refinement_remainder_0_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_0_0_value, refinement_remainder_0_0_choice_2 : natural range 0 to 4095;
-    variable refinement_remainder_0_0_value_2, refinement_remainder_0_0_choice_3 : natural range 0 to 4095;
-    variable refinement_remainder_0_0_choice_4, refinement_remainder_1_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_2_0_choice, refinement_remainder_3_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_4_0_choice, refinement_remainder_5_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_6_0_choice, refinement_remainder_7_0_choice : natural range 0 to 4095;
-    variable map_largest_low_0_choice, map_low_0_0_choice_2, map_low_0_0_choice_3 : natural range 0 to 4095;
-    variable map_low_0_0_choice_4, map_low_0_0_choice_5, map_low_0_0_choice_6 : natural range 0 to 4095;
-    variable map_middle_0_0_choice : natural range 0 to 4095;
+    variable slice2_best_above_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 4095;
+    variable map_of_column_0_a_choice : natural range 0 to 4095;
     variable transform_left_filter_feature_0_choice_213 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_213 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_214 : natural range 0 to 131071;
@@ -3234,14 +3239,22 @@ begin
     variable slice2window_change_0_12_choice, slice2window_change_0_13_choice : natural range 0 to 255;
     variable slice2window_change_0_14_choice, slice2window_change_0_15_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 4097 to 16382;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 4097 to 16382;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 4097 to 16382;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
-    variable map_median_middle_0_choice, map_median_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_median_middle_0_choice_3, map_smallest_high_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice_3, map_low_0_0_choice, map_middle_0_0_choice_2 : natural range 0 to 32767;
-    variable map_middle_0_0_choice_3, map_middle_0_0_choice_4, map_high_0_0_choice : natural range 0 to 32767;
-    variable map_high_0_0_choice_2 : natural range 0 to 32767;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 32767;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 32767;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
+    variable map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
       -- transform
@@ -3250,11 +3263,10 @@ begin
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_choice := 375 when transform_counter_group_all else 0;
       transform_counter_group_differs := transform_counter_group /= 376;
-      transform_counter_group_choice_2 := 1 when (transform_counter_group = 375) and delay_ring_write_address else
+      transform_counter_group_choice_2 := 1 when (transform_counter_group = 375) and transform_counter_next_frame else
         (transform_counter_group + 1) mod 512;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_differs and
         in_valid and transform_counter_group_is_equal_2 else transform_counter_group;
-      transform_counter_next_frame_is_equal := map_counter_group = 375;
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
       transform_read_column_inside_1_is_not_less := 3 >= transform_counter_column;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_4_1 / 2) mod 2) = 1;
@@ -3562,9 +3574,9 @@ begin
       transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
         (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_104 := transform_filtering_column_inside_4 and
+      transform_left_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
         ((transform_left_filter_column_4_2 / 128) = 1) and (not ((transform_left_filter_column_4_1 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_103 else transform_filtering_column_inside_4 and
+        transform_left_filter_feature_0_choice_103 else transform_filtering_0_column_inside_4 and
         (((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1)));
       transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -3847,28 +3859,28 @@ begin
       transform_left_filter_feature_0_choice_200 := (not ((transform_left_filter_column_4_1 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_199 else (not
         ((transform_left_filter_column_4_1 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_201 := (as_number(transform_left_filter_feature_0_choice_184) * 2) +
           (as_number(transform_left_filter_feature_0_choice_192) * 4) +
           as_number(transform_left_filter_feature_0_choice_200);
       else
         transform_left_filter_feature_0_choice_201 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_202 := (as_number(transform_left_filter_feature_0_choice_160) * 16) +
           (as_number(transform_left_filter_feature_0_choice_168) * 32) +
           (as_number(transform_left_filter_feature_0_choice_176) * 8) + transform_left_filter_feature_0_choice_201;
       else
         transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_203 := (as_number(transform_left_filter_feature_0_choice_136) * 128) +
           (as_number(transform_left_filter_feature_0_choice_144) * 256) +
           (as_number(transform_left_filter_feature_0_choice_152) * 64) + transform_left_filter_feature_0_choice_202;
       else
         transform_left_filter_feature_0_choice_203 := transform_left_filter_feature_0_choice_202;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_204 := (as_number(transform_left_filter_feature_0_choice_112) * 1024) +
           (as_number(transform_left_filter_feature_0_choice_120) * 2048) +
           (as_number(transform_left_filter_feature_0_choice_128) * 512) + transform_left_filter_feature_0_choice_203;
@@ -3898,13 +3910,13 @@ begin
       transform_left_filter_feature_0_choice_212 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
         ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_211 else
         ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204 +
           (as_number(transform_left_filter_feature_0_choice_212) * 4096);
       else
         transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204;
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choice_80) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_88) * 32768) +
           (as_number(transform_left_filter_feature_0_choice_96) * 65536) +
@@ -3913,14 +3925,14 @@ begin
         transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choice_104) * 8192) +
           transform_left_filter_feature_0_choice_213;
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_left_filter_feature_0_choice_215 := (as_number(transform_left_filter_feature_0_choice_56) * 131072) +
           (as_number(transform_left_filter_feature_0_choice_64) * 262144) +
           (as_number(transform_left_filter_feature_0_choice_72) * 524288) + transform_left_filter_feature_0_choice_214;
       else
         transform_left_filter_feature_0_choice_215 := transform_left_filter_feature_0_choice_214;
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_left_filter_feature_0_choice_216 := (as_number(transform_left_filter_feature_0_choice_32) * 1048576)
           + (as_number(transform_left_filter_feature_0_choice_40) * 2097152) +
           (as_number(transform_left_filter_feature_0_choice_48) * 4194304) + transform_left_filter_feature_0_choice_215;
@@ -4232,9 +4244,9 @@ begin
       transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
         (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_104 := transform_filtering_column_inside_4 and
+      transform_right_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
         ((transform_right_filter_column_4_2 / 128) = 1) and (not ((transform_right_filter_column_4_1 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_103 else transform_filtering_column_inside_4 and
+        transform_right_filter_feature_0_choice_103 else transform_filtering_0_column_inside_4 and
         (((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1)));
       transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -4517,28 +4529,28 @@ begin
       transform_right_filter_feature_0_choice_200 := (not ((transform_right_filter_column_4_1 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_199 else (not
         ((transform_right_filter_column_4_1 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_201 := (as_number(transform_right_filter_feature_0_choice_184) * 2) +
           (as_number(transform_right_filter_feature_0_choice_192) * 4) +
           as_number(transform_right_filter_feature_0_choice_200);
       else
         transform_right_filter_feature_0_choice_201 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_202 := (as_number(transform_right_filter_feature_0_choice_160) * 16) +
           (as_number(transform_right_filter_feature_0_choice_168) * 32) +
           (as_number(transform_right_filter_feature_0_choice_176) * 8) + transform_right_filter_feature_0_choice_201;
       else
         transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_203 := (as_number(transform_right_filter_feature_0_choice_136) * 128) +
           (as_number(transform_right_filter_feature_0_choice_144) * 256) +
           (as_number(transform_right_filter_feature_0_choice_152) * 64) + transform_right_filter_feature_0_choice_202;
       else
         transform_right_filter_feature_0_choice_203 := transform_right_filter_feature_0_choice_202;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_204 := (as_number(transform_right_filter_feature_0_choice_112) * 1024)
           + (as_number(transform_right_filter_feature_0_choice_120) * 2048) +
           (as_number(transform_right_filter_feature_0_choice_128) * 512) + transform_right_filter_feature_0_choice_203;
@@ -4568,13 +4580,13 @@ begin
       transform_right_filter_feature_0_choice_212 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
         ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_211 else
         ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204 +
           (as_number(transform_right_filter_feature_0_choice_212) * 4096);
       else
         transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204;
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choice_80) * 16384)
           + (as_number(transform_right_filter_feature_0_choice_88) * 32768) +
           (as_number(transform_right_filter_feature_0_choice_96) * 65536) +
@@ -4583,7 +4595,7 @@ begin
         transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choice_104) * 8192)
           + transform_right_filter_feature_0_choice_213;
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_right_filter_feature_0_choice_215 := (as_number(transform_right_filter_feature_0_choice_56) * 131072)
           + (as_number(transform_right_filter_feature_0_choice_64) * 262144) +
           (as_number(transform_right_filter_feature_0_choice_72) * 524288) +
@@ -4591,7 +4603,7 @@ begin
       else
         transform_right_filter_feature_0_choice_215 := transform_right_filter_feature_0_choice_214;
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_right_filter_feature_0_choice_216 := (as_number(transform_right_filter_feature_0_choice_32) *
           1048576) + (as_number(transform_right_filter_feature_0_choice_40) * 2097152) +
           (as_number(transform_right_filter_feature_0_choice_48) * 4194304) +
@@ -4604,7 +4616,6 @@ begin
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;
-      transform_counter_next_frame <= transform_counter_next_frame_is_equal;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -4614,7 +4625,7 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 375;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65535) mod 65536) < 375;
+      transform_read_row_inside_1 <= (transform_counter_group >= 1) and (transform_counter_group < 376);
       transform_read_row_inside_2 <= transform_counter_group < 375;
       transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
       transform_read_column_inside_1 <= transform_read_column_inside_1_is_not_less when transform_counter_column = 0
@@ -4672,30 +4683,38 @@ begin
       transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 8388608) +
         (as_number(transform_left_filter_feature_0_choice_16) * 16777216) +
         (as_number(transform_left_filter_feature_0_choice_24) * 33554432) + transform_left_filter_feature_0_choice_216
-        when transform_filtering_column_inside_8 else transform_left_filter_feature_0_choice_216;
+        when transform_filtering_0_column_inside_8 else transform_left_filter_feature_0_choice_216;
       transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 8388608) +
         (as_number(transform_right_filter_feature_0_choice_16) * 16777216) +
         (as_number(transform_right_filter_feature_0_choice_24) * 33554432) +
-        transform_right_filter_feature_0_choice_216 when transform_filtering_column_inside_8 else
+        transform_right_filter_feature_0_choice_216 when transform_filtering_0_column_inside_8 else
         transform_right_filter_feature_0_choice_216;
-      transform_filtering_row_inside_2 <= refinement_passed_8_0;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_column_inside_5 <= transform_columns_column_inside_5;
-      transform_filtering_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_column_inside_7 <= transform_columns_column_inside_7;
-      transform_filtering_column_inside_8 <= transform_columns_column_inside_8;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_column_inside_4 <= refinement_passed_3_0;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_filtering_0_row_inside_2 <= refinement_passed_8_0;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_column_inside_5 <= transform_columns_column_inside_5;
+      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_0_column_inside_7 <= transform_columns_column_inside_7;
+      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_row_inside_2 <= transform_filtering_0_row_inside_2;
+      transform_filtering_1_column_inside_4 <= refinement_passed_3_0;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame when
+        transform_counter_group_is_equal_2 else transform_counter_next_frame;
+      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when transform_counter_group_differs
+        else transform_counter_next_frame;
       if in_valid then
         transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal_2 else
           (transform_counter_column + 1) mod 512;
+        transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all when
+          transform_counter_next_frame_choice_2 else in_start_of_frame and transform_counter_group_is_equal and
+          transform_counter_group_is_equal_2;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -4764,36 +4783,19 @@ begin
       raster_place_group_is_equal := raster_place_column = 449;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_start_of_frame <= transform_counter_next_frame;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= 0 when transform_filtered_valid and transform_filtered_start_of_frame else
-        (raster_place_group + as_number(((raster_place_group /= 379) and transform_filtered_valid and
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= 0 when transform_filtering_1_valid and transform_filtering_1_start_of_frame else
+        (raster_place_group + as_number(((raster_place_group /= 379) and transform_filtering_1_valid and
         raster_place_group_is_equal))) mod 512;
-      raster_place_next_frame <= raster_features_start_of_frame;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtered_start_of_frame else
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 512;
       end if;
       -- delay
-      delay_ring_read_address_differs := map_counter_group /= 376;
-      delay_ring_read_address_is_equal := map_counter_column = 401;
-      delay_ring_read_address_choice := (map_counter_group /= 375) and delay_ring_read_address when
-        delay_ring_read_address_is_equal else delay_ring_read_address;
-      delay_ring_read_address_choice_2 := delay_ring_read_address_choice when delay_ring_read_address_differs else
-        delay_ring_read_address;
-      delay_ring_read_address_is_equal_2 := map_counter_group = 374;
-      delay_ring_read_address_all := delay_ring_read_address_is_equal_2 and delay_ring_read_address_is_equal;
-      delay_ring_read_address_choice_3 := (not refinement_tag_9_start_of_frame) or delay_ring_read_address_all when
-        delay_ring_read_address_choice_2 else refinement_tag_9_start_of_frame and delay_ring_read_address_is_equal_2
-        and delay_ring_read_address_is_equal;
-      delay_ring_read_address_all_2 := refinement_tag_9_valid and refinement_tag_9_map_column;
-      delay_ring_read_address <= delay_ring_read_address or delay_ring_read_address_all_2 when
-        delay_ring_read_address_choice_3 else delay_ring_read_address and ((not refinement_tag_9_valid) or (not
-        refinement_tag_9_map_column));
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65527) mod 65536) < 375;
+      delay_row_inside_0 <= (raster_place_group >= 9) and (raster_place_group < 384);
       delay_row_inside_1 <= raster_place_group < 375;
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
@@ -4806,15 +4808,6 @@ begin
         402;
       delay_tag_start_of_frame <= (raster_place_group = 4) and (raster_place_column = 48);
       delay_tag_end_of_line <= raster_place_group_is_equal;
-      delay_ring_write_address_choice := (transform_counter_group /= 375) and delay_ring_write_address when
-        transform_counter_group_is_equal_2 else delay_ring_write_address;
-      delay_ring_write_address_choice_2 := delay_ring_write_address_choice when transform_counter_group_differs else
-        delay_ring_write_address;
-      if in_valid then
-        delay_ring_write_address <= (not in_start_of_frame) or transform_counter_group_all when
-          delay_ring_write_address_choice_2 else in_start_of_frame and transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2;
-      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -7848,6 +7841,7 @@ begin
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
+      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
@@ -7885,18 +7879,17 @@ begin
         slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 4096;
       end if;
       if slice0winner1_tag_valid then
-        slice0window_centre_start_of_frame_3 <= slice2window_centre_start_of_frame_0;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
+        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
@@ -7955,14 +7948,14 @@ begin
       slice0winner1_tag_valid <= slice0window_tag_valid;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice2window_centre_map_column_2;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
         slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_2;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
       slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
         slice0winner1_best_below_0_1;
       slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when slice0winner1_best_index_0_3 = 6 else
@@ -7973,11 +7966,11 @@ begin
         slice0winner1_best_below_0_7;
       slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_7 else
+      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_0 else
         slice0winner1_best_above_0_2;
-      slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5 when other_8 else
+      slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5 when other_1 else
         slice0winner1_best_above_0_4;
-      slice0winner2_best_above_0_3_choice := slice0winner1_best_first_0_7 when other_9 else
+      slice0winner2_best_above_0_3_choice := slice0winner1_best_first_0_7 when other_2 else
         slice0winner1_best_above_0_6;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
@@ -8023,8 +8016,8 @@ begin
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
       slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner2_best_index_0_1 = 4 else
         slice0winner2_best_below_0_1;
       slice0winner3_best_below_0_1_choice := slice0winner2_best_last_0_2 when slice0winner2_best_index_0_3 = 12 else
@@ -8057,7 +8050,7 @@ begin
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := slice0winner3_best_cost_0_1 < slice0winner3_best_cost_0_0;
+      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
       slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0 when slice0winner3_best_index_0_1 = 8 else
         slice0winner3_best_below_0_1;
       slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1 when slice0winner3_best_index_0_0 = 7 else
@@ -10978,7 +10971,6 @@ begin
       slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
-      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
       slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
@@ -11014,15 +11006,18 @@ begin
         slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 4096;
         slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 4096;
       end if;
+      if slice0winner1_tag_valid then
+        slice1window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_2;
+      end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4_is_less := slice1window_sum_0_9 < slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5_is_less := slice1window_sum_0_11 < slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6_is_less := slice1window_sum_0_13 < slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7_is_less := slice1window_sum_0_15 < slice1window_sum_0_14;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
@@ -11080,10 +11075,10 @@ begin
       slice1winner1_best_last_0_6 <= slice1window_sum_0_13;
       slice1winner1_best_last_0_7 <= slice1window_sum_0_15;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2_is_less := slice1winner1_best_cost_0_5 < slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3_is_less := slice1winner1_best_cost_0_7 < slice1winner1_best_cost_0_6;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
       slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
         slice1winner1_best_below_0_1;
       slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when slice1winner1_best_index_0_3 = 6 else
@@ -11094,11 +11089,11 @@ begin
         slice1winner1_best_below_0_7;
       slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_3 else
+      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_6 else
         slice1winner1_best_above_0_2;
-      slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5 when other_4 else
+      slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5 when other_7 else
         slice1winner1_best_above_0_4;
-      slice1winner2_best_above_0_3_choice := slice1winner1_best_first_0_7 when other_5 else
+      slice1winner2_best_above_0_3_choice := slice1winner1_best_first_0_7 when other_8 else
         slice1winner1_best_above_0_6;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
@@ -11141,8 +11136,8 @@ begin
       slice1winner2_best_last_0_2 <= slice1winner1_best_last_0_5;
       slice1winner2_best_last_0_3 <= slice1winner1_best_last_0_7;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1_is_less := slice1winner2_best_cost_0_3 < slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
       slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner2_best_index_0_1 = 4 else
         slice1winner2_best_below_0_1;
       slice1winner3_best_below_0_1_choice := slice1winner2_best_last_0_2 when slice1winner2_best_index_0_3 = 12 else
@@ -11172,7 +11167,7 @@ begin
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
       slice1winner3_best_last_0_1 <= slice1winner2_best_last_0_3;
       -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := slice1winner3_best_cost_0_1 < slice1winner3_best_cost_0_0;
+      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
       slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice1winner3_best_index_0_1 = 8 else
         slice1winner3_best_below_0_1;
       slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1 when slice1winner3_best_index_0_0 = 7 else
@@ -11188,7 +11183,7 @@ begin
       slice1winner4_best_first_0_0 <= slice1winner3_best_first_0_0;
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0_1;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice1winner4_best_cost_0_0 < slice0_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice1winner4_best_cost_0_0 - slice0_best_cost_0_0) < 0;
       slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner4_best_index_0_0 = 0 else
         slice1winner4_best_below_0_0;
       slice1_best_above_0_0_choice := slice1winner4_best_first_0_0 when slice0_best_index_0_0 = 15 else
@@ -14130,20 +14125,20 @@ begin
         slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
         slice2window_centre_map_column_1 <= slice2window_centre_map_column_0;
         slice2window_centre_map_column_2 <= slice2window_centre_map_column_1;
-        slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
+        slice2window_centre_start_of_frame_2 <= slice1window_centre_start_of_frame_2;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
         slice2window_centre_end_of_line_2 <= slice2window_centre_end_of_line_1;
       end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1_is_less := slice2window_sum_0_3 < slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2_is_less := slice2window_sum_0_5 < slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3_is_less := slice2window_sum_0_7 < slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4_is_less := slice2window_sum_0_9 < slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5_is_less := slice2window_sum_0_11 < slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6_is_less := slice2window_sum_0_13 < slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7_is_less := slice2window_sum_0_15 < slice2window_sum_0_14;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_0_1_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_best_cost_0_2_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_best_cost_0_3_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_best_cost_0_4_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
@@ -14200,10 +14195,10 @@ begin
       slice2winner1_best_last_0_5 <= slice2window_sum_0_11;
       slice2winner1_best_last_0_6 <= slice2window_sum_0_13;
       -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := slice2winner1_best_cost_0_1 < slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1_is_less := slice2winner1_best_cost_0_3 < slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2_is_less := slice2winner1_best_cost_0_5 < slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3_is_less := slice2winner1_best_cost_0_7 < slice2winner1_best_cost_0_6;
+      slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
       slice2winner2_best_below_0_0_choice := slice2winner1_best_last_0_0 when slice2winner1_best_index_0_1 = 2 else
         slice2winner1_best_below_0_1;
       slice2winner2_best_below_0_1_choice := slice2winner1_best_last_0_2 when slice2winner1_best_index_0_3 = 6 else
@@ -14214,11 +14209,11 @@ begin
         slice2winner1_best_below_0_7;
       slice2winner2_best_above_0_0_choice := slice2winner1_best_first_0_1 when slice2winner1_best_index_0_0 else
         slice2winner1_best_above_0_0;
-      slice2winner2_best_above_0_1_choice := slice2winner1_best_first_0_3 when other_0 else
+      slice2winner2_best_above_0_1_choice := slice2winner1_best_first_0_3 when other_3 else
         slice2winner1_best_above_0_2;
-      slice2winner2_best_above_0_2_choice := slice2winner1_best_first_0_5 when other_1 else
+      slice2winner2_best_above_0_2_choice := slice2winner1_best_first_0_5 when other_4 else
         slice2winner1_best_above_0_4;
-      slice2winner2_best_above_0_3_choice := slice2winner1_best_first_0_7 when other_2 else
+      slice2winner2_best_above_0_3_choice := slice2winner1_best_first_0_7 when other_5 else
         slice2winner1_best_above_0_6;
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
         slice2winner1_best_cost_0_0;
@@ -14260,8 +14255,8 @@ begin
       slice2winner2_best_last_0_1 <= slice2winner1_best_last_0_3;
       slice2winner2_best_last_0_2 <= slice2winner1_best_last_0_5;
       -- slice2winner3
-      slice2winner3_best_cost_0_0_is_less := slice2winner2_best_cost_0_1 < slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1_is_less := slice2winner2_best_cost_0_3 < slice2winner2_best_cost_0_2;
+      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
       slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2winner2_best_index_0_1 = 4 else
         slice2winner2_best_below_0_1;
       slice2winner3_best_below_0_1_choice := slice2winner2_best_last_0_2 when slice2winner2_best_index_0_3 = 12 else
@@ -14290,7 +14285,7 @@ begin
       slice2winner3_best_first_0_1 <= slice2winner2_best_first_0_2;
       slice2winner3_best_last_0_0 <= slice2winner2_best_last_0_1;
       -- slice2winner4
-      slice2winner4_best_cost_0_0_is_less := slice2winner3_best_cost_0_1 < slice2winner3_best_cost_0_0;
+      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
       slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0 when slice2winner3_best_index_0_1 = 8 else
         slice2winner3_best_below_0_1;
       slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1 when slice2winner3_best_index_0_0 = 7 else
@@ -14305,7 +14300,7 @@ begin
         slice2winner4_best_above_0_0_choice;
       slice2winner4_best_first_0_0 <= slice2winner3_best_first_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice2winner4_best_cost_0_0 < slice1_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0;
       slice2_best_below_0_0_choice := slice1_best_last_0_0 when slice2winner4_best_index_0_0 = 0 else
         slice2winner4_best_below_0_0;
       slice2_best_above_0_0_choice := slice2winner4_best_first_0_0 when slice1_best_index_0_0 = 31 else
@@ -14322,31 +14317,28 @@ begin
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- refinement
-      refinement_remainder_0_0_choice := slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else
-        slice2_best_below_0_0;
-      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_choice_2 := slice2_best_below_0_0 when slice2_best_index_0_0 = 47 else
-        slice2_best_above_0_0;
-      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
-      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value;
-      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value_2;
-      refinement_remainder_1_0_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
-      refinement_remainder_1_0_choice := refinement_divisor_0_0 when refinement_remainder_1_0_is_not_less else 0;
-      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
-      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
-      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
-      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
-      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
-      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
-      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
-      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
-      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
-      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
-      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
-      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
+      refinement_tag_11_row_start_differs := map_counter_group /= 376;
+      refinement_tag_11_row_start_is_equal := map_counter_column = 401;
+      refinement_tag_11_row_start_choice := refinement_tag_11_row_start and (map_counter_group /= 375) when
+        refinement_tag_11_row_start_is_equal else refinement_tag_11_row_start;
+      refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start_choice when
+        refinement_tag_11_row_start_differs else refinement_tag_11_row_start;
+      refinement_tag_11_row_start_is_equal_2 := map_counter_group = 374;
+      refinement_tag_11_row_start_all := refinement_tag_11_row_start_is_equal_2 and
+        refinement_tag_11_row_start_is_equal;
+      refinement_tag_11_row_start_choice_3 := (not refinement_tag_11_start_of_frame) or refinement_tag_11_row_start_all
+        when refinement_tag_11_row_start_choice_2 else refinement_tag_11_start_of_frame and
+        refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_row_start_is_equal;
+      refinement_tag_11_row_start_all_2 := refinement_tag_11_valid and refinement_tag_11_map_column;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 8192) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 8192) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 8192) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -14369,14 +14361,17 @@ begin
       refinement_disparity_7_0 <= refinement_disparity_6_0;
       refinement_disparity_8_0 <= refinement_disparity_7_0;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
       refinement_passed_3_0 <= refinement_passed_2_0;
-      refinement_passed_5_0 <= transform_filtered_column_inside_4;
+      refinement_passed_5_0 <= transform_filtering_1_column_inside_4;
       refinement_passed_6_0 <= refinement_passed_5_0;
       refinement_passed_7_0 <= refinement_passed_6_0;
       refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_11_0 <= transform_filtering_1_row_inside_2;
       refinement_tag_0_valid <= slice2_best_tag_valid;
       refinement_tag_0_map_column <= slice2_best_tag_map_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -14417,16 +14412,40 @@ begin
       refinement_tag_9_map_column <= refinement_tag_8_map_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 4096;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 4096;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 2048) * 2) - refinement_remainder_2_0_choice) mod
-        4096;
-      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 4096;
-      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 4096;
-      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 4096;
-      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 4096;
-      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 4096;
-      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_map_column <= refinement_tag_9_map_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2 when
+        refinement_tag_11_row_start_choice_3 else refinement_tag_11_row_start and ((not refinement_tag_11_valid) or
+        (not refinement_tag_11_map_column));
+      refinement_tag_11_map_column <= refinement_tag_10_map_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice2_best_cost_0_0;
+      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
+      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 47 else slice2_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096 when
+        (refinement_remainder_1_0_difference / 8192) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
+        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
+        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
+        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
+        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
+        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
+        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -14434,17 +14453,9 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_1_0 <= refinement_remainder_1_0_is_not_less;
-      refinement_quotient_2_0 <= (as_number(refinement_quotient_1_0) * 2) +
-        as_number(refinement_remainder_2_0_is_not_less);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
-        refinement_divisor_7_0));
-      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
+      refinement_quotient_8_0 <= ((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 4096) +
+        ((other_12 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
       refinement_negative_3_0 <= refinement_negative_2_0;
@@ -14455,159 +14466,209 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       -- map
-      if delay_ring_read_address_all_2 then
-        map_counter_column <= 0 when refinement_tag_9_start_of_frame or delay_ring_read_address_is_equal else
+      if refinement_tag_11_row_start_all_2 then
+        map_counter_column <= 0 when refinement_tag_11_start_of_frame or refinement_tag_11_row_start_is_equal else
           (map_counter_column + 1) mod 512;
       end if;
-      map_counter_group_choice := 375 when delay_ring_read_address_all else 0;
-      map_counter_group_choice_2 := 1 when transform_counter_next_frame_is_equal and delay_ring_read_address else
+      map_counter_group_choice := 375 when refinement_tag_11_row_start_all else 0;
+      map_counter_group_is_equal := map_counter_group = 375;
+      map_counter_group_choice_2 := 1 when refinement_tag_11_row_start and map_counter_group_is_equal else
         (map_counter_group + 1) mod 512;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when delay_ring_read_address_differs and
-        delay_ring_read_address_is_equal and refinement_tag_9_valid and refinement_tag_9_map_column else
+      map_counter_group_choice_3 := map_counter_group_choice_2 when refinement_tag_11_row_start_differs and
+        refinement_tag_11_row_start_is_equal and refinement_tag_11_valid and refinement_tag_11_map_column else
         map_counter_group;
-      map_line_ended_choice := refinement_tag_9_map_column when refinement_tag_9_valid else map_line_ended;
-      map_passed_1_0_all := (not map_at_arrives) and (not map_at_behind);
-      map_passed_1_0_any := map_at_arrives or map_at_behind;
-      map_complete_is_equal := map_write_column = 0;
-      map_complete_choice := map_at_behind when map_complete_is_equal else map_passed_1_0_any;
-      map_largest_low_0_choice := map_low_0_0 when map_low_1_0 < map_low_0_0 else map_low_1_0;
-      map_median_middle_0_is_less := map_middle_1_0 < map_middle_0_0;
-      map_median_middle_0_choice := map_middle_0_0 when map_median_middle_0_is_less else map_middle_1_0;
-      map_median_middle_0_choice_2 := map_middle_2_0 when map_middle_2_0 < map_median_middle_0_choice else
-        map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_middle_1_0 when map_median_middle_0_is_less else map_middle_0_0;
-      map_smallest_high_0_choice := map_high_1_0 when map_high_1_0 < map_high_0_0 else map_high_0_0;
-      map_out_disparity_0_is_less := map_median_middle_0 < map_largest_low_0;
-      if map_out_disparity_0_is_less then
-        map_out_disparity_0_choice := map_largest_low_0;
+      map_line_ended_choice := refinement_tag_11_map_column when refinement_tag_11_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_9(16 downto 16)) = 1;
+      if map_at_top then
+        map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_out_disparity_0_choice := map_median_middle_0;
+        map_of_column_0_a_choice := other_10 / 2;
       end if;
-      map_out_disparity_0_choice_2 := map_smallest_high_0 when map_smallest_high_0 < map_out_disparity_0_choice else
-        map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_median_middle_0 when map_out_disparity_0_is_less else map_largest_low_0;
-      map_counter_group <= map_counter_group_choice when refinement_tag_9_start_of_frame and refinement_tag_9_valid and
-        refinement_tag_9_map_column else map_counter_group_choice_3;
-      map_newest_0 <= (((((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
-        mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) +
-        as_number(transform_filtering_row_inside_2);
-      map_arrives <= delay_ring_read_address_all_2;
-      map_behind <= map_line_ended and refinement_tag_9_valid;
-      map_line_ended <= map_line_ended_choice when refinement_tag_9_end_of_line else map_line_ended and (not
-        refinement_tag_9_valid);
+      if map_counter_next_frame then
+        map_of_column_0_c_choice := map_column_1 / 2;
+      else
+        map_of_column_0_c_choice := map_column_2 / 2;
+      end if;
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      map_window_complete_is_equal := map_sorted_column = 0;
+      map_window_complete_choice := map_sorted_behind when map_window_complete_is_equal else map_sorted_arrives or
+        map_sorted_behind;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice when refinement_tag_11_start_of_frame and refinement_tag_11_valid
+        and refinement_tag_11_map_column else map_counter_group_choice_3;
+      map_counter_next_frame <= to_integer(other_9(40 downto 40)) = 1;
+      map_newest_0 <= (((((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
+        mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) + as_number(refinement_passed_11_0);
+      map_arrives <= refinement_tag_11_row_start_all_2;
+      map_behind <= map_line_ended and refinement_tag_11_valid;
+      map_line_ended <= map_line_ended_choice when refinement_tag_11_end_of_line else map_line_ended and (not
+        refinement_tag_11_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_column <= map_counter_column;
-      map_read_arrives <= map_arrives;
-      map_read_behind <= map_behind;
-      map_read_top <= map_counter_group = 1;
-      map_read_output <= ((map_counter_group + 65535) mod 65536) < 375;
-      map_ready_column <= map_read_column;
-      map_ready_arrives <= map_read_arrives;
-      map_ready_behind <= map_read_behind;
-      map_ready_top <= map_read_top;
-      map_ready_output <= map_read_output;
-      map_write_column <= map_ready_column;
+      map_write_column <= to_integer(other_9(8 downto 0));
       map_column_1 <= map_rows_ready_words_0 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_ready_arrives;
-      map_at_behind <= map_ready_behind;
-      map_at_top <= map_ready_top;
-      map_at_output <= map_ready_output;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        map_passed_1_0_any;
-      map_complete <= map_at_output and map_complete_choice;
-      map_first <= (map_write_column = 1) and map_at_arrives and map_at_top;
-      map_last <= map_at_behind;
-      map_largest_low_0 <= map_largest_low_0_choice when map_low_2_0 < map_largest_low_0_choice else map_low_2_0;
-      map_median_middle_0 <= map_median_middle_0_choice_3 when map_median_middle_0_choice_2 <
-        map_median_middle_0_choice_3 else map_median_middle_0_choice_2;
-      map_smallest_high_0 <= map_high_2_0 when map_high_2_0 < map_smallest_high_0_choice else
-        map_smallest_high_0_choice;
-      map_waiting_passed_0 <= map_passed_1_0;
-      map_waiting_valid <= map_complete;
-      map_waiting_start_of_frame <= map_first and map_complete;
-      map_waiting_end_of_line <= map_last and map_complete;
-      map_out_disparity_0 <= map_out_disparity_0_choice_3 when map_out_disparity_0_choice_2 <
-        map_out_disparity_0_choice_3 else map_out_disparity_0_choice_2;
-      map_out_passed_0 <= map_waiting_passed_0;
-      map_out_valid <= map_waiting_valid;
-      map_out_start_of_frame <= map_waiting_start_of_frame;
-      map_out_end_of_line <= map_waiting_end_of_line;
-      if map_ready_arrives then
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_9(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_9(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_9(48 downto 48)) = 1;
+      map_of_column_0_a <= map_of_column_0_a_choice;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_of_column_0_c_choice;
+      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= map_sorted_output and map_window_complete_choice;
+      map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (map_low_1_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_a <= (map_low_2_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_b <= (map_low_2_0 - map_low_1_0) < 0;
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (map_middle_1_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_a <= (map_middle_2_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_b <= (map_middle_2_0 - map_middle_1_0) < 0;
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= map_ready_column;
+        map_at_column <= to_integer(other_9(8 downto 0));
       end if;
-      if raster_place_next_frame then
-        map_low_0_0_choice := map_column_1 / 2;
-      else
-        map_low_0_0_choice := map_column_2 / 2;
-      end if;
-      if map_at_top then
-        map_low_0_0_choice_2 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_2 := other_6 / 2;
-      end if;
-      map_low_0_0_is_less := (map_column_1 / 2) < map_low_0_0_choice_2;
-      if map_low_0_0_is_less then
-        map_low_0_0_choice_3 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_3 := map_low_0_0_choice_2;
-      end if;
-      if raster_place_next_frame then
-        map_low_0_0_choice_4 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_4 := (map_column_2 / 2) mod 4096;
-      end if;
-      map_low_0_0_choice_5 := map_low_0_0_choice_4 when map_low_0_0_choice < map_low_0_0_choice_3 else
-        map_low_0_0_choice_3;
-      map_low_0_0_choice_6 := map_low_0_0 when map_at_behind else map_low_0_0_choice_5;
-      map_low_1_0_all := map_complete_is_equal and map_at_arrives;
-      map_middle_0_0_choice := map_low_0_0_choice_2 when map_low_0_0_is_less else map_column_1 / 2;
-      map_middle_0_0_is_less := map_low_0_0_choice < map_middle_0_0_choice;
-      map_middle_0_0_choice_2 := map_low_0_0_choice when map_middle_0_0_is_less else map_middle_0_0_choice;
-      if map_middle_0_0_choice_2 < map_low_0_0_choice_3 then
-        map_middle_0_0_choice_3 := map_low_0_0_choice_3;
-      else
-        map_middle_0_0_choice_3 := map_middle_0_0_choice_2;
-      end if;
-      map_middle_0_0_choice_4 := map_middle_0_0 when map_at_behind else map_middle_0_0_choice_3;
-      if map_middle_0_0_is_less then
-        map_high_0_0_choice := map_middle_0_0_choice;
-      else
-        map_high_0_0_choice := map_low_0_0_choice;
-      end if;
-      map_high_0_0_choice_2 := map_high_0_0 when map_at_behind else map_high_0_0_choice;
-      if not map_passed_1_0_all then
-        map_low_0_0 <= map_low_0_0_choice_6;
-        map_low_1_0 <= map_low_0_0_choice_6 when map_low_1_0_all else map_low_0_0;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      if not map_low_0_0_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
-        map_middle_0_0 <= map_middle_0_0_choice_4;
-        map_middle_1_0 <= map_middle_0_0_choice_4 when map_low_1_0_all else map_middle_0_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
-        map_high_0_0 <= map_high_0_0_choice_2;
-        map_high_1_0 <= map_high_0_0_choice_2 when map_low_1_0_all else map_high_0_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
       end if;
-      if map_at_arrives then
-        map_passed_0_0 <= (map_column_1 mod 2) = 1;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= slice2winner1_best_cost_0_2_is_less;
-      other_1 <= slice2winner1_best_cost_0_4_is_less;
-      other_2 <= slice2winner1_best_cost_0_6_is_less;
-      other_3 <= slice1winner1_best_cost_0_2_is_less;
-      other_4 <= slice1winner1_best_cost_0_4_is_less;
-      other_5 <= slice1winner1_best_cost_0_6_is_less;
-      other_6 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
-      other_7 <= slice0winner1_best_cost_0_2_is_less;
-      other_8 <= slice0winner1_best_cost_0_4_is_less;
-      other_9 <= slice0winner1_best_cost_0_6_is_less;
+      other_0 <= slice0winner1_best_cost_0_2_is_less;
+      other_1 <= slice0winner1_best_cost_0_4_is_less;
+      other_2 <= slice0winner1_best_cost_0_6_is_less;
+      other_3 <= slice2winner1_best_cost_0_2_is_less;
+      other_4 <= slice2winner1_best_cost_0_4_is_less;
+      other_5 <= slice2winner1_best_cost_0_6_is_less;
+      other_6 <= slice1winner1_best_cost_0_2_is_less;
+      other_7 <= slice1winner1_best_cost_0_4_is_less;
+      other_8 <= slice1winner1_best_cost_0_6_is_less;
+      other_9 <= other_11;
+      other_10 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_11 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 376))), 1) &
+        to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_12 <= ((refinement_remainder_7_0_difference / 8192) * 2) + ((other_13 / 4) * 4);
+      other_13 <= ((refinement_remainder_6_0_difference / 8192) * 4) + ((other_14 / 8) * 8);
+      other_14 <= ((refinement_remainder_5_0_difference / 8192) * 8) + ((other_15 / 16) * 16);
+      other_15 <= ((refinement_remainder_4_0_difference / 8192) * 16) + ((other_16 / 32) * 32);
+      other_16 <= ((refinement_remainder_3_0_difference / 8192) * 32) + ((other_17 / 64) * 64);
+      other_17 <= ((refinement_remainder_2_0_difference / 8192) * 64) + ((other_18 / 128) * 128);
+      other_18 <= (refinement_remainder_1_0_difference / 8192) * 128;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
         transform_counter_group <= 376;
+        transform_counter_next_frame <= false;
         transform_read_column <= 0;
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
@@ -14617,15 +14678,13 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 379;
-        delay_ring_read_address <= false;
-        delay_ring_write_address <= false;
         delay_column <= 0;
         delay_tag_valid <= false;
         delay_tag_row_start <= false;
@@ -14689,10 +14748,10 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_3 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_map_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -14720,7 +14779,7 @@ begin
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
         slice1window_centre_map_column_0 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_centre_start_of_frame_2 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_map_column <= false;
@@ -14735,7 +14794,7 @@ begin
         slice2window_centre_map_column_0 <= false;
         slice2window_centre_map_column_1 <= false;
         slice2window_centre_map_column_2 <= false;
-        slice2window_centre_start_of_frame_0 <= false;
+        slice2window_centre_start_of_frame_2 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2window_centre_end_of_line_1 <= false;
         slice2window_centre_end_of_line_2 <= false;
@@ -14783,36 +14842,53 @@ begin
         refinement_tag_9_map_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_map_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_row_start <= false;
+        refinement_tag_11_map_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
         map_counter_column <= 0;
         map_counter_group <= 376;
         map_arrives <= false;
         map_behind <= false;
         map_line_ended <= false;
-        map_read_column <= 0;
-        map_read_arrives <= false;
-        map_read_behind <= false;
-        map_read_top <= false;
-        map_read_output <= false;
-        map_ready_column <= 0;
-        map_ready_arrives <= false;
-        map_ready_behind <= false;
-        map_ready_top <= false;
-        map_ready_output <= false;
         map_write_column <= 0;
         map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;
         map_at_output <= false;
-        map_complete <= false;
-        map_first <= false;
-        map_last <= false;
-        map_waiting_valid <= false;
-        map_waiting_start_of_frame <= false;
-        map_waiting_end_of_line <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
+        other_9 <= to_unsigned(0, 49);
+        other_11 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

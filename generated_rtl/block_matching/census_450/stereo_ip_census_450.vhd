@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 402,
-      latency_clocks => 43,
+      latency_clocks => 49,
       flush_groups => 2709,
       gap_groups => 1800,
-      core_id => x"9a877741",
+      core_id => x"52e26bd1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 402,
-      latency_clocks => 43,
+      latency_clocks => 49,
       flush_groups => 2709,
       gap_groups => 1800)
     port map (

@@ -125,7 +125,7 @@ architecture rtl of stereo_core_opencv_bm is
   -- delay
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 127;
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
+  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
   signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
   signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
@@ -145,15 +145,16 @@ architecture rtl of stereo_core_opencv_bm is
   signal rows_search_rows_ready_words_3, rows_search_rows_write_words_3 : natural range 0 to 2097151;
   signal rows_reference_rows_ready_words_3, rows_reference_rows_write_words_3 : natural range 0 to 2097151;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_leaves_window : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
-  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid, rows_ready_tag_row_start : boolean;
-  signal rows_ready_tag_first_group, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
-  signal rows_ready_tag_leaves_window, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_ready_tag_end_of_line, rows_inside_0, rows_tag_valid, rows_tag_row_start, rows_tag_first_group : boolean;
-  signal rows_tag_border_column, rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
+  signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
+  signal rows_read_tag_leaves_window, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_row_start, rows_ready_tag_first_group, rows_ready_tag_border_column : boolean;
+  signal rows_ready_tag_first_cost, rows_ready_tag_leaves_window, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_0, rows_inside_1 : boolean;
+  signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
+  signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  signal rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
   signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 127;
@@ -165,8 +166,11 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0shift_search_1_5, slice0shift_search_1_6, slice0shift_search_1_7 : natural range 0 to 127;
   signal slice0shift_search_1_8, slice0shift_search_1_9, slice0shift_search_1_10 : natural range 0 to 127;
   signal slice0shift_search_1_11, slice0shift_search_1_12, slice0shift_search_1_13 : natural range 0 to 127;
-  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_search_out_0 : natural range 0 to 127;
-  signal slice0shift_search_out_1 : natural range 0 to 127;
+  signal slice0shift_search_1_14, slice0shift_search_1_15, slice0shift_reference_0 : natural range 0 to 127;
+  signal slice0shift_reference_1, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 127;
+  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
+  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1 : integer range -127 to 127;
   signal slice0cost_pixels_first_0_2, slice0cost_pixels_first_0_3 : integer range -127 to 127;
@@ -184,6 +188,21 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_pixels_first_1_10, slice0cost_pixels_first_1_11 : integer range -127 to 127;
   signal slice0cost_pixels_first_1_12, slice0cost_pixels_first_1_13 : integer range -127 to 127;
   signal slice0cost_pixels_first_1_14, slice0cost_pixels_first_1_15 : integer range -127 to 127;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
+  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_row_start, slice0cost_pixels_tag_first_group : boolean;
+  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
+  signal slice0cost_pixels_tag_leaves_window, slice0cost_pixels_tag_output_column : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid : boolean;
+  signal slice0cost_ready_tag_row_start, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
+  signal slice0cost_ready_tag_first_cost, slice0cost_ready_tag_leaves_window : boolean;
+  signal slice0cost_ready_tag_output_column, slice0cost_ready_tag_start_of_frame : boolean;
+  signal slice0cost_ready_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_first_group : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_leaves_window : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 128;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 128;
   signal slice0cost_pixels_cost_0_6, slice0cost_pixels_cost_0_7, slice0cost_pixels_cost_0_8 : natural range 0 to 128;
@@ -195,6 +214,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_pixels_cost_1_8, slice0cost_pixels_cost_1_9, slice0cost_pixels_cost_1_10 : natural range 0 to 128;
   signal slice0cost_pixels_cost_1_11, slice0cost_pixels_cost_1_12, slice0cost_pixels_cost_1_13 : natural range 0 to 128;
   signal slice0cost_pixels_cost_1_14, slice0cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
+  signal slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(29 downto 0);
   signal slice0cost_read_words_3, slice0cost_read_words_4 : unsigned(29 downto 0);
   signal slice0cost_read_words_5 : unsigned(9 downto 0);
@@ -214,8 +235,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0cost_column_0_8, slice0cost_column_0_9, slice0cost_column_0_10 : natural range 0 to 1023;
   signal slice0cost_column_0_11, slice0cost_column_0_12, slice0cost_column_0_13 : natural range 0 to 1023;
   signal slice0cost_column_0_14, slice0cost_column_0_15, slice0cost_write_words_5 : natural range 0 to 1023;
-  signal slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
   -- slice0window
+  signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
   signal slice0window_leaving_0, slice0window_leaving_1, slice0window_leaving_2 : unsigned(29 downto 0);
   signal slice0window_leaving_3, slice0window_leaving_4 : unsigned(29 downto 0);
   signal slice0window_leaving_5 : unsigned(9 downto 0);
@@ -225,8 +246,16 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0window_entering_0_9, slice0window_entering_0_10, slice0window_entering_0_11 : natural range 0 to 1023;
   signal slice0window_entering_0_12, slice0window_entering_0_13, slice0window_entering_0_14 : natural range 0 to 1023;
   signal slice0window_entering_0_15 : natural range 0 to 1023;
-  signal slice0window_entering_tag_leaves_window, slice0window_change_tag_valid : boolean;
-  signal slice0window_change_tag_first_cost : boolean;
+  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_group : boolean;
+  signal slice0window_entering_tag_border_column, slice0window_entering_tag_first_cost : boolean;
+  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
+  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
+  signal slice0window_change_tag_valid, slice0window_change_tag_first_group : boolean;
+  signal slice0window_change_tag_border_column, slice0window_change_tag_first_cost : boolean;
+  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
+  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -1023 to 1023;
   signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -1023 to 1023;
   signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -1023 to 1023;
@@ -240,7 +269,12 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 16383;
   signal slice0window_sum_0_15 : natural range 0 to 16383;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 16383;
+  signal slice0winner1_held_0_3, slice0winner1_held_0_4, slice0winner1_held_0_5 : natural range 0 to 16383;
+  signal slice0winner1_held_0_6, slice0winner1_held_0_7, slice0winner1_held_0_8 : natural range 0 to 16383;
+  signal slice0winner1_held_0_9, slice0winner1_held_0_10, slice0winner1_held_0_11 : natural range 0 to 16383;
+  signal slice0winner1_held_0_12, slice0winner1_held_0_13, slice0winner1_held_0_14 : natural range 0 to 16383;
+  signal slice0winner1_held_0_15, slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 16383;
   signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 16383;
   signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 16383;
   signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 16383;
@@ -252,25 +286,19 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner1_best_above_0_2, slice0winner1_best_above_0_3 : natural range 0 to 16383;
   signal slice0winner1_best_above_0_4, slice0winner1_best_above_0_5 : natural range 0 to 16383;
   signal slice0winner1_best_above_0_6, slice0winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_first_0_0, slice0winner1_best_first_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_first_0_2, slice0winner1_best_first_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_first_0_4, slice0winner1_best_first_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_first_0_6, slice0winner1_best_first_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_1, slice0winner1_best_last_0_2 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_3, slice0winner1_best_last_0_4 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_5, slice0winner1_best_last_0_6 : natural range 0 to 16383;
-  signal slice0winner1_best_last_0_7, slice0winner1_best_late_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_1, slice0winner1_best_late_cost_0_2 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_3, slice0winner1_best_late_cost_0_4 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_5, slice0winner1_best_late_cost_0_6 : natural range 0 to 16383;
-  signal slice0winner1_best_late_cost_0_7, slice0winner1_best_but_first_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_2, slice0winner1_best_but_first_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_4, slice0winner1_best_but_first_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_but_first_0_6, slice0winner1_best_but_first_0_7 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_0, slice0winner1_best_but_last_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_2, slice0winner1_best_but_last_0_3 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_4, slice0winner1_best_but_last_0_5 : natural range 0 to 16383;
-  signal slice0winner1_best_but_last_0_6, slice0winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_0, slice0winner1_best_late_cost_0_1 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_2, slice0winner1_best_late_cost_0_3 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_4, slice0winner1_best_late_cost_0_5 : natural range 0 to 16383;
+  signal slice0winner1_best_late_cost_0_6, slice0winner1_best_late_cost_0_7 : natural range 0 to 16383;
+  signal slice0winner1_best_but_first_0_1, slice0winner1_best_but_first_0_2 : natural range 0 to 16383;
+  signal slice0winner1_best_but_first_0_3, slice0winner1_best_but_first_0_4 : natural range 0 to 16383;
+  signal slice0winner1_best_but_first_0_5, slice0winner1_best_but_first_0_6 : natural range 0 to 16383;
+  signal slice0winner1_best_but_first_0_7, slice0winner1_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_1, slice0winner1_best_but_last_0_2 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_3, slice0winner1_best_but_last_0_4 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_5, slice0winner1_best_but_last_0_6 : natural range 0 to 16383;
+  signal slice0winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
   signal slice0winner1_best_index_0_2 : natural range 0 to 5;
   signal slice0winner1_best_index_0_3 : natural range 0 to 7;
@@ -304,6 +332,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner2_best_place_0_3, slice0winner2_best_at_start_0_0, slice0winner2_best_at_start_0_1 : boolean;
   signal slice0winner2_best_at_start_0_2, slice0winner2_best_at_start_0_3, slice0winner2_best_at_end_0_0 : boolean;
   signal slice0winner2_best_at_end_0_1, slice0winner2_best_at_end_0_2, slice0winner2_best_at_end_0_3 : boolean;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
   signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 16383;
   signal slice0winner3_best_below_0_0, slice0winner3_best_below_0_1 : natural range 0 to 16383;
@@ -317,6 +347,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner3_best_index_0_1 : natural range 0 to 15;
   signal slice0winner3_best_place_0_0, slice0winner3_best_place_0_1, slice0winner3_best_at_start_0_0 : boolean;
   signal slice0winner3_best_at_start_0_1, slice0winner3_best_at_end_0_0, slice0winner3_best_at_end_0_1 : boolean;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 16383;
   signal slice0winner4_best_above_0_0, slice0winner4_best_last_0_0 : natural range 0 to 16383;
@@ -324,10 +356,14 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0winner4_best_but_last_0_0 : natural range 0 to 16383;
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
   signal slice0winner4_best_place_0_0, slice0winner4_best_at_start_0_0, slice0winner4_best_at_end_0_0 : boolean;
+  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
+  signal slice0winner4_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_below_0_0, slice0_best_above_0_0, slice0_best_last_0_0 : natural range 0 to 16383;
   signal slice0_best_late_cost_0_0, slice0_best_second_0_0, slice0_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
   signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 127;
@@ -369,6 +405,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1cost_pixels_cost_1_8, slice1cost_pixels_cost_1_9, slice1cost_pixels_cost_1_10 : natural range 0 to 128;
   signal slice1cost_pixels_cost_1_11, slice1cost_pixels_cost_1_12, slice1cost_pixels_cost_1_13 : natural range 0 to 128;
   signal slice1cost_pixels_cost_1_14, slice1cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
+  signal slice1cost_write_column : natural range 0 to 511;
   signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(29 downto 0);
   signal slice1cost_read_words_3, slice1cost_read_words_4 : unsigned(29 downto 0);
   signal slice1cost_read_words_5 : unsigned(9 downto 0);
@@ -388,7 +426,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1cost_column_0_8, slice1cost_column_0_9, slice1cost_column_0_10 : natural range 0 to 1023;
   signal slice1cost_column_0_11, slice1cost_column_0_12, slice1cost_column_0_13 : natural range 0 to 1023;
   signal slice1cost_column_0_14, slice1cost_column_0_15, slice1cost_write_words_5 : natural range 0 to 1023;
-  signal slice1cost_ready_tag_valid, slice1cost_ready_tag_first_group, slice1cost_ready_tag_border_column : boolean;
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 15;
   signal slice1window_leaving_0, slice1window_leaving_1, slice1window_leaving_2 : unsigned(29 downto 0);
@@ -400,14 +437,16 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1window_entering_0_9, slice1window_entering_0_10, slice1window_entering_0_11 : natural range 0 to 1023;
   signal slice1window_entering_0_12, slice1window_entering_0_13, slice1window_entering_0_14 : natural range 0 to 1023;
   signal slice1window_entering_0_15 : natural range 0 to 1023;
-  signal slice1window_entering_tag_leaves_window, slice1window_change_tag_valid : boolean;
-  signal slice1window_change_tag_first_cost : boolean;
   signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -1023 to 1023;
   signal slice1window_change_0_3, slice1window_change_0_4, slice1window_change_0_5 : integer range -1023 to 1023;
   signal slice1window_change_0_6, slice1window_change_0_7, slice1window_change_0_8 : integer range -1023 to 1023;
   signal slice1window_change_0_9, slice1window_change_0_10, slice1window_change_0_11 : integer range -1023 to 1023;
   signal slice1window_change_0_12, slice1window_change_0_13, slice1window_change_0_14 : integer range -1023 to 1023;
   signal slice1window_change_0_15 : integer range -1023 to 1023;
+  signal slice1window_change_tag_first_cost, slice1window_change_tag_leaves_window : boolean;
+  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_1 : boolean;
+  signal slice1window_centre_start_of_frame_3, slice1window_centre_start_of_frame_4 : boolean;
+  signal slice1window_centre_start_of_frame_5, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 16383;
   signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 16383;
   signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 16383;
@@ -415,7 +454,12 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 16383;
   signal slice1window_sum_0_15 : natural range 0 to 16383;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice1winner1_held_0_0, slice1winner1_held_0_1, slice1winner1_held_0_2 : natural range 0 to 16383;
+  signal slice1winner1_held_0_3, slice1winner1_held_0_4, slice1winner1_held_0_5 : natural range 0 to 16383;
+  signal slice1winner1_held_0_6, slice1winner1_held_0_7, slice1winner1_held_0_8 : natural range 0 to 16383;
+  signal slice1winner1_held_0_9, slice1winner1_held_0_10, slice1winner1_held_0_11 : natural range 0 to 16383;
+  signal slice1winner1_held_0_12, slice1winner1_held_0_13, slice1winner1_held_0_14 : natural range 0 to 16383;
+  signal slice1winner1_held_0_15, slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 16383;
   signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 16383;
   signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 16383;
@@ -427,14 +471,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner1_best_above_0_2, slice1winner1_best_above_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_above_0_4, slice1winner1_best_above_0_5 : natural range 0 to 16383;
   signal slice1winner1_best_above_0_6, slice1winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_first_0_0, slice1winner1_best_first_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_first_0_2, slice1winner1_best_first_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_first_0_4, slice1winner1_best_first_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_first_0_6, slice1winner1_best_first_0_7 : natural range 0 to 16383;
-  signal slice1winner1_best_last_0_0, slice1winner1_best_last_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_last_0_2, slice1winner1_best_last_0_3 : natural range 0 to 16383;
-  signal slice1winner1_best_last_0_4, slice1winner1_best_last_0_5 : natural range 0 to 16383;
-  signal slice1winner1_best_last_0_6, slice1winner1_best_last_0_7 : natural range 0 to 16383;
   signal slice1winner1_best_late_cost_0_0, slice1winner1_best_late_cost_0_1 : natural range 0 to 16383;
   signal slice1winner1_best_late_cost_0_2, slice1winner1_best_late_cost_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_late_cost_0_4, slice1winner1_best_late_cost_0_5 : natural range 0 to 16383;
@@ -447,6 +483,7 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1winner1_best_but_last_0_2, slice1winner1_best_but_last_0_3 : natural range 0 to 16383;
   signal slice1winner1_best_but_last_0_4, slice1winner1_best_but_last_0_5 : natural range 0 to 16383;
   signal slice1winner1_best_but_last_0_6, slice1winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
   signal slice1winner1_best_index_0_3 : natural range 0 to 7;
@@ -508,7 +545,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1_best_last_0_0, slice1_best_late_cost_0_0, slice1_best_second_0_0 : natural range 0 to 16383;
   signal slice1_best_but_last_0_0 : natural range 0 to 16383;
   signal slice1_best_index_0_0 : natural range 0 to 31;
-  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0 : boolean;
+  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0, slice1_best_tag_valid : boolean;
+  signal slice1_best_tag_output_column, slice1_best_tag_start_of_frame, slice1_best_tag_end_of_line : boolean;
   -- slice2shift
   signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_0_2 : natural range 0 to 127;
   signal slice2shift_search_0_3, slice2shift_search_0_4, slice2shift_search_0_5 : natural range 0 to 127;
@@ -550,6 +588,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2cost_pixels_cost_1_8, slice2cost_pixels_cost_1_9, slice2cost_pixels_cost_1_10 : natural range 0 to 128;
   signal slice2cost_pixels_cost_1_11, slice2cost_pixels_cost_1_12, slice2cost_pixels_cost_1_13 : natural range 0 to 128;
   signal slice2cost_pixels_cost_1_14, slice2cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
+  signal slice2cost_write_column : natural range 0 to 511;
   signal slice2cost_read_words_0, slice2cost_read_words_1, slice2cost_read_words_2 : unsigned(29 downto 0);
   signal slice2cost_read_words_3, slice2cost_read_words_4 : unsigned(29 downto 0);
   signal slice2cost_read_words_5 : unsigned(9 downto 0);
@@ -569,7 +609,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2cost_column_0_8, slice2cost_column_0_9, slice2cost_column_0_10 : natural range 0 to 1023;
   signal slice2cost_column_0_11, slice2cost_column_0_12, slice2cost_column_0_13 : natural range 0 to 1023;
   signal slice2cost_column_0_14, slice2cost_column_0_15, slice2cost_write_words_5 : natural range 0 to 1023;
-  signal slice2cost_ready_tag_valid, slice2cost_ready_tag_first_group, slice2cost_ready_tag_border_column : boolean;
   -- slice2window
   signal slice2window_ring_read_address, slice2window_ring_write_address : natural range 0 to 15;
   signal slice2window_leaving_0, slice2window_leaving_1, slice2window_leaving_2 : unsigned(29 downto 0);
@@ -581,14 +620,15 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2window_entering_0_9, slice2window_entering_0_10, slice2window_entering_0_11 : natural range 0 to 1023;
   signal slice2window_entering_0_12, slice2window_entering_0_13, slice2window_entering_0_14 : natural range 0 to 1023;
   signal slice2window_entering_0_15 : natural range 0 to 1023;
-  signal slice2window_entering_tag_leaves_window, slice2window_change_tag_valid : boolean;
-  signal slice2window_change_tag_first_cost : boolean;
   signal slice2window_change_0_0, slice2window_change_0_1, slice2window_change_0_2 : integer range -1023 to 1023;
   signal slice2window_change_0_3, slice2window_change_0_4, slice2window_change_0_5 : integer range -1023 to 1023;
   signal slice2window_change_0_6, slice2window_change_0_7, slice2window_change_0_8 : integer range -1023 to 1023;
   signal slice2window_change_0_9, slice2window_change_0_10, slice2window_change_0_11 : integer range -1023 to 1023;
   signal slice2window_change_0_12, slice2window_change_0_13, slice2window_change_0_14 : integer range -1023 to 1023;
   signal slice2window_change_0_15 : integer range -1023 to 1023;
+  signal slice2window_change_tag_first_cost, slice2window_change_tag_leaves_window : boolean;
+  signal slice2window_centre_output_column_0, slice2window_centre_start_of_frame_1 : boolean;
+  signal slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 16383;
   signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 16383;
   signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 16383;
@@ -596,7 +636,12 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 16383;
   signal slice2window_sum_0_15 : natural range 0 to 16383;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice2winner1_held_0_0, slice2winner1_held_0_1, slice2winner1_held_0_2 : natural range 0 to 16383;
+  signal slice2winner1_held_0_3, slice2winner1_held_0_4, slice2winner1_held_0_5 : natural range 0 to 16383;
+  signal slice2winner1_held_0_6, slice2winner1_held_0_7, slice2winner1_held_0_8 : natural range 0 to 16383;
+  signal slice2winner1_held_0_9, slice2winner1_held_0_10, slice2winner1_held_0_11 : natural range 0 to 16383;
+  signal slice2winner1_held_0_12, slice2winner1_held_0_13, slice2winner1_held_0_14 : natural range 0 to 16383;
+  signal slice2winner1_held_0_15, slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 16383;
   signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 16383;
   signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 16383;
@@ -608,14 +653,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner1_best_above_0_2, slice2winner1_best_above_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_above_0_4, slice2winner1_best_above_0_5 : natural range 0 to 16383;
   signal slice2winner1_best_above_0_6, slice2winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_first_0_0, slice2winner1_best_first_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_first_0_2, slice2winner1_best_first_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_first_0_4, slice2winner1_best_first_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_first_0_6, slice2winner1_best_first_0_7 : natural range 0 to 16383;
-  signal slice2winner1_best_last_0_0, slice2winner1_best_last_0_1 : natural range 0 to 16383;
-  signal slice2winner1_best_last_0_2, slice2winner1_best_last_0_3 : natural range 0 to 16383;
-  signal slice2winner1_best_last_0_4, slice2winner1_best_last_0_5 : natural range 0 to 16383;
-  signal slice2winner1_best_last_0_6, slice2winner1_best_last_0_7 : natural range 0 to 16383;
   signal slice2winner1_best_late_cost_0_0, slice2winner1_best_late_cost_0_1 : natural range 0 to 16383;
   signal slice2winner1_best_late_cost_0_2, slice2winner1_best_late_cost_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_late_cost_0_4, slice2winner1_best_late_cost_0_5 : natural range 0 to 16383;
@@ -628,6 +665,7 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2winner1_best_but_last_0_2, slice2winner1_best_but_last_0_3 : natural range 0 to 16383;
   signal slice2winner1_best_but_last_0_4, slice2winner1_best_but_last_0_5 : natural range 0 to 16383;
   signal slice2winner1_best_but_last_0_6, slice2winner1_best_but_last_0_7 : natural range 0 to 16383;
+  signal slice2winner1_best_index_0_0 : boolean;
   signal slice2winner1_best_index_0_1 : natural range 0 to 3;
   signal slice2winner1_best_index_0_2 : natural range 0 to 5;
   signal slice2winner1_best_index_0_3 : natural range 0 to 7;
@@ -689,7 +727,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice2_best_last_0_0, slice2_best_late_cost_0_0, slice2_best_second_0_0 : natural range 0 to 16383;
   signal slice2_best_but_last_0_0 : natural range 0 to 16383;
   signal slice2_best_index_0_0 : natural range 0 to 47;
-  signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0 : boolean;
+  signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0, slice2_best_tag_valid : boolean;
+  signal slice2_best_tag_output_column, slice2_best_tag_start_of_frame, slice2_best_tag_end_of_line : boolean;
   -- slice3shift
   signal slice3shift_search_0_0, slice3shift_search_0_1, slice3shift_search_0_2 : natural range 0 to 127;
   signal slice3shift_search_0_3, slice3shift_search_0_4, slice3shift_search_0_5 : natural range 0 to 127;
@@ -731,6 +770,8 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3cost_pixels_cost_1_8, slice3cost_pixels_cost_1_9, slice3cost_pixels_cost_1_10 : natural range 0 to 128;
   signal slice3cost_pixels_cost_1_11, slice3cost_pixels_cost_1_12, slice3cost_pixels_cost_1_13 : natural range 0 to 128;
   signal slice3cost_pixels_cost_1_14, slice3cost_pixels_cost_1_15 : natural range 0 to 128;
+  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column : natural range 0 to 511;
+  signal slice3cost_write_column : natural range 0 to 511;
   signal slice3cost_read_words_0, slice3cost_read_words_1, slice3cost_read_words_2 : unsigned(29 downto 0);
   signal slice3cost_read_words_3, slice3cost_read_words_4 : unsigned(29 downto 0);
   signal slice3cost_read_words_5 : unsigned(9 downto 0);
@@ -750,8 +791,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3cost_column_0_8, slice3cost_column_0_9, slice3cost_column_0_10 : natural range 0 to 1023;
   signal slice3cost_column_0_11, slice3cost_column_0_12, slice3cost_column_0_13 : natural range 0 to 1023;
   signal slice3cost_column_0_14, slice3cost_column_0_15, slice3cost_write_words_5 : natural range 0 to 1023;
-  signal slice3cost_ready_column, slice3cost_write_column : natural range 0 to 511;
-  signal slice3cost_ready_tag_first_group, slice3cost_ready_tag_border_column : boolean;
   -- slice3window
   signal slice3window_ring_read_address, slice3window_ring_write_address : natural range 0 to 15;
   signal slice3window_leaving_0, slice3window_leaving_1, slice3window_leaving_2 : unsigned(29 downto 0);
@@ -763,25 +802,20 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3window_entering_0_9, slice3window_entering_0_10, slice3window_entering_0_11 : natural range 0 to 1023;
   signal slice3window_entering_0_12, slice3window_entering_0_13, slice3window_entering_0_14 : natural range 0 to 1023;
   signal slice3window_entering_0_15 : natural range 0 to 1023;
-  signal slice3window_entering_tag_leaves_window, slice3window_change_tag_valid : boolean;
-  signal slice3window_change_tag_first_cost, slice3window_change_tag_output_column : boolean;
-  signal slice3window_change_tag_end_of_line, slice3window_centre_output_column_0 : boolean;
-  signal slice3window_centre_output_column_1, slice3window_centre_output_column_2 : boolean;
-  signal slice3window_centre_output_column_3, slice3window_centre_output_column_4 : boolean;
-  signal slice3window_centre_output_column_5, slice3window_centre_output_column_6 : boolean;
-  signal slice3window_centre_start_of_frame_0, slice3window_centre_start_of_frame_1 : boolean;
-  signal slice3window_centre_start_of_frame_2, slice3window_centre_start_of_frame_4 : boolean;
-  signal slice3window_centre_start_of_frame_5, slice3window_centre_start_of_frame_6 : boolean;
-  signal slice3window_centre_end_of_line_0, slice3window_centre_end_of_line_1 : boolean;
-  signal slice3window_centre_end_of_line_2, slice3window_centre_end_of_line_3 : boolean;
-  signal slice3window_centre_end_of_line_4, slice3window_centre_end_of_line_5 : boolean;
-  signal slice3window_centre_end_of_line_6 : boolean;
   signal slice3window_change_0_0, slice3window_change_0_1, slice3window_change_0_2 : integer range -1023 to 1023;
   signal slice3window_change_0_3, slice3window_change_0_4, slice3window_change_0_5 : integer range -1023 to 1023;
   signal slice3window_change_0_6, slice3window_change_0_7, slice3window_change_0_8 : integer range -1023 to 1023;
   signal slice3window_change_0_9, slice3window_change_0_10, slice3window_change_0_11 : integer range -1023 to 1023;
   signal slice3window_change_0_12, slice3window_change_0_13, slice3window_change_0_14 : integer range -1023 to 1023;
   signal slice3window_change_0_15 : integer range -1023 to 1023;
+  signal slice3window_change_tag_first_cost, slice3window_centre_output_column_0 : boolean;
+  signal slice3window_centre_output_column_1, slice3window_centre_output_column_2 : boolean;
+  signal slice3window_centre_output_column_3, slice3window_centre_output_column_4 : boolean;
+  signal slice3window_centre_output_column_5, slice3window_centre_start_of_frame_1 : boolean;
+  signal slice3window_centre_start_of_frame_5, slice3window_centre_end_of_line_0 : boolean;
+  signal slice3window_centre_end_of_line_1, slice3window_centre_end_of_line_2 : boolean;
+  signal slice3window_centre_end_of_line_3, slice3window_centre_end_of_line_4 : boolean;
+  signal slice3window_centre_end_of_line_5 : boolean;
   signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 16383;
   signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 16383;
   signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 16383;
@@ -789,7 +823,12 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 16383;
   signal slice3window_sum_0_15 : natural range 0 to 16383;
   -- slice3winner1
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 16383;
+  signal slice3winner1_held_0_0, slice3winner1_held_0_1, slice3winner1_held_0_2 : natural range 0 to 16383;
+  signal slice3winner1_held_0_3, slice3winner1_held_0_4, slice3winner1_held_0_5 : natural range 0 to 16383;
+  signal slice3winner1_held_0_6, slice3winner1_held_0_7, slice3winner1_held_0_8 : natural range 0 to 16383;
+  signal slice3winner1_held_0_9, slice3winner1_held_0_10, slice3winner1_held_0_11 : natural range 0 to 16383;
+  signal slice3winner1_held_0_12, slice3winner1_held_0_13, slice3winner1_held_0_14 : natural range 0 to 16383;
+  signal slice3winner1_held_0_15, slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 16383;
   signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 16383;
   signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 16383;
   signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 16383;
@@ -801,25 +840,19 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner1_best_above_0_2, slice3winner1_best_above_0_3 : natural range 0 to 16383;
   signal slice3winner1_best_above_0_4, slice3winner1_best_above_0_5 : natural range 0 to 16383;
   signal slice3winner1_best_above_0_6, slice3winner1_best_above_0_7 : natural range 0 to 16383;
-  signal slice3winner1_best_first_0_0, slice3winner1_best_first_0_1 : natural range 0 to 16383;
-  signal slice3winner1_best_first_0_2, slice3winner1_best_first_0_3 : natural range 0 to 16383;
-  signal slice3winner1_best_first_0_4, slice3winner1_best_first_0_5 : natural range 0 to 16383;
-  signal slice3winner1_best_first_0_6, slice3winner1_best_last_0_0 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_1, slice3winner1_best_last_0_2 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_3, slice3winner1_best_last_0_4 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_5, slice3winner1_best_last_0_6 : natural range 0 to 16383;
-  signal slice3winner1_best_last_0_7, slice3winner1_best_late_cost_0_0 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_1, slice3winner1_best_late_cost_0_2 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_3, slice3winner1_best_late_cost_0_4 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_5, slice3winner1_best_late_cost_0_6 : natural range 0 to 16383;
-  signal slice3winner1_best_late_cost_0_7, slice3winner1_best_but_first_0_0 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_1, slice3winner1_best_but_first_0_2 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_3, slice3winner1_best_but_first_0_4 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_5, slice3winner1_best_but_first_0_6 : natural range 0 to 16383;
-  signal slice3winner1_best_but_first_0_7, slice3winner1_best_but_last_0_0 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_1, slice3winner1_best_but_last_0_2 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_3, slice3winner1_best_but_last_0_4 : natural range 0 to 16383;
-  signal slice3winner1_best_but_last_0_5, slice3winner1_best_but_last_0_6 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_0, slice3winner1_best_late_cost_0_1 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_2, slice3winner1_best_late_cost_0_3 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_4, slice3winner1_best_late_cost_0_5 : natural range 0 to 16383;
+  signal slice3winner1_best_late_cost_0_6, slice3winner1_best_late_cost_0_7 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_0, slice3winner1_best_but_first_0_1 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_2, slice3winner1_best_but_first_0_3 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_4, slice3winner1_best_but_first_0_5 : natural range 0 to 16383;
+  signal slice3winner1_best_but_first_0_6, slice3winner1_best_but_first_0_7 : natural range 0 to 16383;
+  signal slice3winner1_best_but_last_0_0, slice3winner1_best_but_last_0_1 : natural range 0 to 16383;
+  signal slice3winner1_best_but_last_0_2, slice3winner1_best_but_last_0_3 : natural range 0 to 16383;
+  signal slice3winner1_best_but_last_0_4, slice3winner1_best_but_last_0_5 : natural range 0 to 16383;
+  signal slice3winner1_best_but_last_0_6 : natural range 0 to 16383;
+  signal slice3winner1_best_index_0_0 : boolean;
   signal slice3winner1_best_index_0_1 : natural range 0 to 3;
   signal slice3winner1_best_index_0_2 : natural range 0 to 5;
   signal slice3winner1_best_index_0_3 : natural range 0 to 7;
@@ -875,7 +908,7 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner4_best_place_0_0, slice3winner4_best_at_start_0_0, slice3winner4_best_at_end_0_0 : boolean;
   -- slice3
   signal slice3_best_cost_0_0, slice3_best_below_0_0, slice3_best_above_0_0 : natural range 0 to 16383;
-  signal slice3_best_second_0_0 : natural range 0 to 16383;
+  signal slice3_best_late_cost_0_0, slice3_best_second_0_0 : natural range 0 to 16383;
   signal slice3_best_index_0_0 : natural range 0 to 63;
   signal slice3_best_place_0_0, slice3_best_at_start_0_0, slice3_best_at_end_0_0, slice3_best_tag_valid : boolean;
   signal slice3_best_tag_output_column, slice3_best_tag_start_of_frame, slice3_best_tag_end_of_line : boolean;
@@ -921,13 +954,13 @@ architecture rtl of stereo_core_opencv_bm is
   signal refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0, refinement_negative_1_0 : boolean;
   signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
   signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_gap_0, refinement_lowest_0, refinement_cost_0, refinement_below_0 : natural range 0 to 16383;
-  signal refinement_above_0, refinement_u_0, refinement_v_0, refinement_remainder_0_0 : natural range 0 to 16383;
-  signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 16383;
-  signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 16383;
-  signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 16383;
-  signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 16383;
-  signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 16383;
+  signal refinement_gap_0, refinement_lowest_0, refinement_below_0, refinement_above_0 : natural range 0 to 16383;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 16383;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 16383;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 16383;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 16383;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 16383;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 16383;
   signal refinement_scaled_gap_0 : natural range 0 to 327660;
   signal refinement_scaled_cost_0 : natural range 0 to 49149;
   signal refinement_difference_0 : integer range -16383 to 16383;
@@ -936,28 +969,15 @@ architecture rtl of stereo_core_opencv_bm is
   signal map_out_disparity_0 : natural range 0 to 65535;
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
-  signal other_0, other_1, other_3, other_15, other_16, other_17, other_111, other_112 : natural range 0 to 511;
-  signal other_113, other_114, other_119, other_120, other_121, other_122 : natural range 0 to 511;
-  signal other_2, other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11, other_12 : boolean;
-  signal other_13, other_14, other_18, other_19, other_20, other_21, other_22, other_23, other_25, other_26 : boolean;
-  signal other_27, other_28, other_29, other_30, other_31, other_32, other_33, other_34, other_35, other_36 : boolean;
-  signal other_37, other_38, other_39, other_40, other_41, other_42, other_43, other_44, other_45, other_46 : boolean;
-  signal other_47, other_48, other_49, other_50, other_51, other_52, other_53, other_54, other_55, other_56 : boolean;
-  signal other_57, other_58, other_59, other_60, other_61, other_62, other_63, other_64, other_65, other_66 : boolean;
-  signal other_67, other_68, other_69, other_70, other_71, other_72, other_73, other_74, other_75, other_76 : boolean;
-  signal other_77, other_78, other_79, other_80, other_81, other_82, other_83, other_84, other_85, other_86 : boolean;
-  signal other_87, other_88, other_89, other_90, other_91, other_92, other_93, other_94, other_95, other_96 : boolean;
-  signal other_97, other_98, other_99, other_100, other_101, other_118 : boolean;
-  signal other_24, other_117 : natural range 0 to 16383;
-  signal other_102 : natural range 0 to 254;
-  signal other_103 : natural range 0 to 252;
-  signal other_104 : natural range 0 to 248;
-  signal other_105 : natural range 0 to 240;
-  signal other_106 : natural range 0 to 224;
-  signal other_107 : natural range 0 to 192;
-  signal other_108 : natural range 0 to 128;
-  signal other_109, other_110 : natural range 0 to 15;
-  signal other_115, other_116 : natural range 0 to 127;
+  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : boolean;
+  signal other_11, other_12, other_13, other_14, other_15 : boolean;
+  signal other_16 : natural range 0 to 254;
+  signal other_17 : natural range 0 to 252;
+  signal other_18 : natural range 0 to 248;
+  signal other_19 : natural range 0 to 240;
+  signal other_20 : natural range 0 to 224;
+  signal other_21 : natural range 0 to 192;
+  signal other_22 : natural range 0 to 128;
   signal slice3window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(29 downto 0);
@@ -1083,7 +1103,7 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_121, read_data => slice3cost_read_words_5,
+      read_address => slice3cost_read_column, read_data => slice3cost_read_words_5,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_5_memory_write_data);
 
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 30);
@@ -1091,7 +1111,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_121, read_data => slice3cost_read_words_4,
+      read_address => slice3cost_read_column, read_data => slice3cost_read_words_4,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_4_memory_write_data);
 
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 30);
@@ -1099,7 +1119,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_121, read_data => slice3cost_read_words_3,
+      read_address => slice3cost_read_column, read_data => slice3cost_read_words_3,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_3_memory_write_data);
 
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 30);
@@ -1107,7 +1127,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_121, read_data => slice3cost_read_words_2,
+      read_address => slice3cost_read_column, read_data => slice3cost_read_words_2,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_2_memory_write_data);
 
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 30);
@@ -1115,7 +1135,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_121, read_data => slice3cost_read_words_1,
+      read_address => slice3cost_read_column, read_data => slice3cost_read_words_1,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_1_memory_write_data);
 
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 30);
@@ -1123,7 +1143,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_121, read_data => slice3cost_read_words_0,
+      read_address => slice3cost_read_column, read_data => slice3cost_read_words_0,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_0_memory_write_data);
 
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_15, 10);
@@ -1179,48 +1199,48 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice2cost_read_words_5,
-      write_address => other_119, write_data => slice2cost_read_words_5_memory_write_data);
+      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_5,
+      write_address => slice2cost_write_column, write_data => slice2cost_read_words_5_memory_write_data);
 
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 30);
   slice2cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice2cost_read_words_4,
-      write_address => other_119, write_data => slice2cost_read_words_4_memory_write_data);
+      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_4,
+      write_address => slice2cost_write_column, write_data => slice2cost_read_words_4_memory_write_data);
 
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 30);
   slice2cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice2cost_read_words_3,
-      write_address => other_119, write_data => slice2cost_read_words_3_memory_write_data);
+      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_3,
+      write_address => slice2cost_write_column, write_data => slice2cost_read_words_3_memory_write_data);
 
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 30);
   slice2cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice2cost_read_words_2,
-      write_address => other_119, write_data => slice2cost_read_words_2_memory_write_data);
+      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_2,
+      write_address => slice2cost_write_column, write_data => slice2cost_read_words_2_memory_write_data);
 
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 30);
   slice2cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice2cost_read_words_1,
-      write_address => other_119, write_data => slice2cost_read_words_1_memory_write_data);
+      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_write_column, write_data => slice2cost_read_words_1_memory_write_data);
 
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 30);
   slice2cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_3, read_data => slice2cost_read_words_0,
-      write_address => other_119, write_data => slice2cost_read_words_0_memory_write_data);
+      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
 
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_15, 10);
   slice1window_leaving_5_memory : entity work.line_memory
@@ -1275,144 +1295,144 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_17, read_data => slice1cost_read_words_5,
-      write_address => other_122, write_data => slice1cost_read_words_5_memory_write_data);
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_5,
+      write_address => slice3cost_change_column, write_data => slice1cost_read_words_5_memory_write_data);
 
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 30);
   slice1cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_17, read_data => slice1cost_read_words_4,
-      write_address => other_122, write_data => slice1cost_read_words_4_memory_write_data);
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_4,
+      write_address => slice3cost_change_column, write_data => slice1cost_read_words_4_memory_write_data);
 
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 30);
   slice1cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_17, read_data => slice1cost_read_words_3,
-      write_address => other_122, write_data => slice1cost_read_words_3_memory_write_data);
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
+      write_address => slice3cost_change_column, write_data => slice1cost_read_words_3_memory_write_data);
 
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 30);
   slice1cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_17, read_data => slice1cost_read_words_2,
-      write_address => other_122, write_data => slice1cost_read_words_2_memory_write_data);
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
+      write_address => slice3cost_change_column, write_data => slice1cost_read_words_2_memory_write_data);
 
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 30);
   slice1cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_17, read_data => slice1cost_read_words_1,
-      write_address => other_122, write_data => slice1cost_read_words_1_memory_write_data);
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
+      write_address => slice3cost_change_column, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 30);
   slice1cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_17, read_data => slice1cost_read_words_0,
-      write_address => other_122, write_data => slice1cost_read_words_0_memory_write_data);
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
+      write_address => slice3cost_change_column, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_15, 10);
   slice0window_leaving_5_memory : entity work.line_memory
     generic map (depth => 16, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => slice0window_leaving_5,
-      write_address => other_109, write_data => slice0window_leaving_5_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_14, 10) & to_unsigned(slice0cost_column_0_13, 10) & to_unsigned(slice0cost_column_0_12, 10);
   slice0window_leaving_4_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => slice0window_leaving_4,
-      write_address => other_109, write_data => slice0window_leaving_4_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_11, 10) & to_unsigned(slice0cost_column_0_10, 10) & to_unsigned(slice0cost_column_0_9, 10);
   slice0window_leaving_3_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => slice0window_leaving_3,
-      write_address => other_109, write_data => slice0window_leaving_3_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_8, 10) & to_unsigned(slice0cost_column_0_7, 10) & to_unsigned(slice0cost_column_0_6, 10);
   slice0window_leaving_2_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => slice0window_leaving_2,
-      write_address => other_109, write_data => slice0window_leaving_2_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_5, 10) & to_unsigned(slice0cost_column_0_4, 10) & to_unsigned(slice0cost_column_0_3, 10);
   slice0window_leaving_1_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => slice0window_leaving_1,
-      write_address => other_109, write_data => slice0window_leaving_1_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 10) & to_unsigned(slice0cost_column_0_1, 10) & to_unsigned(slice0cost_column_0_0, 10);
   slice0window_leaving_0_memory : entity work.line_memory
     generic map (depth => 16, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => slice0window_leaving_0,
-      write_address => other_109, write_data => slice0window_leaving_0_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 10);
   slice0cost_read_words_5_memory : entity work.line_memory
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => slice0cost_read_words_5,
-      write_address => other_111, write_data => slice0cost_read_words_5_memory_write_data);
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_5_memory_write_data);
 
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 30);
   slice0cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => slice0cost_read_words_4,
-      write_address => other_111, write_data => slice0cost_read_words_4_memory_write_data);
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_4_memory_write_data);
 
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 30);
   slice0cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => slice0cost_read_words_3,
-      write_address => other_111, write_data => slice0cost_read_words_3_memory_write_data);
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 30);
   slice0cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => slice0cost_read_words_2,
-      write_address => other_111, write_data => slice0cost_read_words_2_memory_write_data);
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 30);
   slice0cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => slice0cost_read_words_1,
-      write_address => other_111, write_data => slice0cost_read_words_1_memory_write_data);
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 30);
   slice0cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => slice0cost_read_words_0,
-      write_address => other_111, write_data => slice0cost_read_words_0_memory_write_data);
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
+      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 21);
   rows_search_rows_read_words_3_memory : entity work.line_memory
@@ -1499,16 +1519,16 @@ begin
     generic map (depth => 16, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_110, read_data => texturewindow_leaving_0,
-      write_address => other_109, write_data => texturewindow_leaving_0_memory_write_data);
+      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
+      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
 
   texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 10);
   texturecost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => other_114, read_data => texturecost_read_words_0,
-      write_address => other_111, write_data => texturecost_read_words_0_memory_write_data);
+      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
+      write_address => slice2cost_change_column, write_data => texturecost_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1516,10 +1536,10 @@ begin
     variable transform_read_column_inside_0_differs, transform_counter_next_frame_choice : boolean;
     variable transform_counter_next_frame_choice_2, transform_left_filter_column_0_0_choice_3 : boolean;
     variable transform_right_filter_column_0_0_choice_3, raster_place_group_is_equal : boolean;
-    variable slice0winner1_best_index_0_1_is_less, slice0winner1_best_index_0_2_is_less : boolean;
-    variable slice0winner1_best_index_0_3_is_less, slice0winner1_best_index_0_4_is_less : boolean;
-    variable slice0winner1_best_index_0_5_is_less, slice0winner1_best_index_0_6_is_less : boolean;
-    variable slice0winner1_best_index_0_7_is_less, slice0winner1_best_below_0_0_is_not_less : boolean;
+    variable slice0winner1_best_index_0_0_is_not_less, slice0winner1_best_index_0_1_is_less : boolean;
+    variable slice0winner1_best_index_0_2_is_less, slice0winner1_best_index_0_3_is_less : boolean;
+    variable slice0winner1_best_index_0_4_is_less, slice0winner1_best_index_0_5_is_less : boolean;
+    variable slice0winner1_best_index_0_6_is_less, slice0winner1_best_index_0_7_is_less : boolean;
     variable slice0winner2_best_index_0_0_is_not_less, slice0winner2_best_index_0_1_is_not_less : boolean;
     variable slice0winner2_best_index_0_2_is_not_less, slice0winner2_best_index_0_3_is_not_less : boolean;
     variable slice0winner2_best_above_0_3_value, slice0winner3_best_index_0_0_is_not_less : boolean;
@@ -1527,11 +1547,11 @@ begin
     variable slice0winner3_best_below_0_1_is_equal, slice0winner3_best_above_0_0_is_equal : boolean;
     variable slice0winner3_best_above_0_1_is_equal, slice0winner4_best_index_0_0_is_less : boolean;
     variable slice0winner4_best_below_0_0_is_equal, slice0winner4_best_above_0_0_is_equal : boolean;
-    variable slice0winner4_best_place_0_0_is_not_less, slice1winner1_best_index_0_1_is_less : boolean;
-    variable slice1winner1_best_index_0_2_is_less, slice1winner1_best_index_0_3_is_less : boolean;
-    variable slice1winner1_best_index_0_4_is_less, slice1winner1_best_index_0_5_is_less : boolean;
-    variable slice1winner1_best_index_0_6_is_less, slice1winner1_best_index_0_7_is_less : boolean;
-    variable slice1winner1_best_below_0_0_is_not_less, slice1winner2_best_index_0_0_is_not_less : boolean;
+    variable slice0winner4_best_place_0_0_is_not_less, slice1winner1_best_index_0_0_is_not_less : boolean;
+    variable slice1winner1_best_index_0_1_is_less, slice1winner1_best_index_0_2_is_less : boolean;
+    variable slice1winner1_best_index_0_3_is_less, slice1winner1_best_index_0_4_is_less : boolean;
+    variable slice1winner1_best_index_0_5_is_less, slice1winner1_best_index_0_6_is_less : boolean;
+    variable slice1winner1_best_index_0_7_is_less, slice1winner2_best_index_0_0_is_not_less : boolean;
     variable slice1winner2_best_index_0_1_is_not_less, slice1winner2_best_index_0_2_is_not_less : boolean;
     variable slice1winner2_best_index_0_3_is_not_less, slice1winner2_best_above_0_3_value : boolean;
     variable slice1winner3_best_index_0_0_is_not_less, slice1winner3_best_index_0_1_is_not_less : boolean;
@@ -1540,11 +1560,11 @@ begin
     variable slice1winner4_best_index_0_0_is_less, slice1winner4_best_below_0_0_is_equal : boolean;
     variable slice1winner4_best_above_0_0_is_equal, slice1winner4_best_place_0_0_is_not_less : boolean;
     variable slice1_best_index_0_0_is_less, slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
-    variable slice1_best_place_0_0_is_not_less, slice2winner1_best_index_0_1_is_less : boolean;
-    variable slice2winner1_best_index_0_2_is_less, slice2winner1_best_index_0_3_is_less : boolean;
-    variable slice2winner1_best_index_0_4_is_less, slice2winner1_best_index_0_5_is_less : boolean;
-    variable slice2winner1_best_index_0_6_is_less, slice2winner1_best_index_0_7_is_less : boolean;
-    variable slice2winner1_best_below_0_0_is_not_less, slice2winner2_best_index_0_0_is_not_less : boolean;
+    variable slice1_best_place_0_0_is_not_less, slice2winner1_best_index_0_0_is_not_less : boolean;
+    variable slice2winner1_best_index_0_1_is_less, slice2winner1_best_index_0_2_is_less : boolean;
+    variable slice2winner1_best_index_0_3_is_less, slice2winner1_best_index_0_4_is_less : boolean;
+    variable slice2winner1_best_index_0_5_is_less, slice2winner1_best_index_0_6_is_less : boolean;
+    variable slice2winner1_best_index_0_7_is_less, slice2winner2_best_index_0_0_is_not_less : boolean;
     variable slice2winner2_best_index_0_1_is_not_less, slice2winner2_best_index_0_2_is_not_less : boolean;
     variable slice2winner2_best_index_0_3_is_not_less, slice2winner2_best_above_0_3_value : boolean;
     variable slice2winner3_best_index_0_0_is_not_less, slice2winner3_best_index_0_1_is_not_less : boolean;
@@ -1553,11 +1573,11 @@ begin
     variable slice2winner4_best_index_0_0_is_less, slice2winner4_best_below_0_0_is_equal : boolean;
     variable slice2winner4_best_above_0_0_is_equal, slice2winner4_best_place_0_0_is_not_less : boolean;
     variable slice2_best_index_0_0_is_less, slice2_best_below_0_0_is_equal, slice2_best_above_0_0_is_equal : boolean;
-    variable slice2_best_place_0_0_is_not_less, slice3winner1_best_index_0_1_is_less : boolean;
-    variable slice3winner1_best_index_0_2_is_less, slice3winner1_best_index_0_3_is_less : boolean;
-    variable slice3winner1_best_index_0_4_is_less, slice3winner1_best_index_0_5_is_less : boolean;
-    variable slice3winner1_best_index_0_6_is_less, slice3winner1_best_index_0_7_is_less : boolean;
-    variable slice3winner1_best_below_0_0_is_not_less, slice3winner2_best_index_0_0_is_not_less : boolean;
+    variable slice2_best_place_0_0_is_not_less, slice3winner1_best_index_0_0_is_not_less : boolean;
+    variable slice3winner1_best_index_0_1_is_less, slice3winner1_best_index_0_2_is_less : boolean;
+    variable slice3winner1_best_index_0_3_is_less, slice3winner1_best_index_0_4_is_less : boolean;
+    variable slice3winner1_best_index_0_5_is_less, slice3winner1_best_index_0_6_is_less : boolean;
+    variable slice3winner1_best_index_0_7_is_less, slice3winner2_best_index_0_0_is_not_less : boolean;
     variable slice3winner2_best_index_0_1_is_not_less, slice3winner2_best_index_0_2_is_not_less : boolean;
     variable slice3winner2_best_index_0_3_is_not_less, slice3winner2_best_above_0_3_value : boolean;
     variable slice3winner3_best_index_0_0_is_not_less, slice3winner3_best_index_0_1_is_not_less : boolean;
@@ -1944,6 +1964,7 @@ begin
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (raster_place_group >= 15) and (raster_place_group < 390);
+      delay_row_inside_1 <= raster_place_group < 375;
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
       delay_tag_first_group <= raster_place_group = 0;
@@ -1970,6 +1991,7 @@ begin
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
       rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
       rows_read_tag_valid <= delay_tag_valid;
       rows_read_tag_row_start <= delay_tag_row_start;
       rows_read_tag_first_group <= delay_tag_first_group;
@@ -1981,7 +2003,7 @@ begin
       rows_read_tag_end_of_line <= delay_tag_end_of_line;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= other_31;
+      rows_ready_inside_1 <= rows_read_inside_1;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_first_group <= rows_read_tag_first_group;
@@ -1996,6 +2018,7 @@ begin
       rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
       rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_inside_0 <= rows_ready_inside_0;
+      rows_inside_1 <= rows_ready_inside_1;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -2059,8 +2082,19 @@ begin
         slice0shift_search_1_14 <= slice0shift_search_1_13;
         slice0shift_search_1_15 <= slice0shift_search_1_14;
       end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
       slice0shift_search_out_0 <= slice0shift_search_0_15;
       slice0shift_search_out_1 <= slice0shift_search_1_15;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_row_start <= rows_tag_row_start;
+      slice0shift_tag_first_group <= rows_tag_first_group;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 1024;
       slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
@@ -2115,38 +2149,47 @@ begin
       slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5;
       slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
         slice0cost_column_0_15_choice) mod 1024;
-      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - other_116;
-      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - other_116;
-      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - other_116;
-      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - other_116;
-      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - other_116;
-      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - other_116;
-      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - other_116;
-      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - other_116;
-      slice0cost_pixels_first_0_8 <= slice0shift_search_0_8 - other_116;
-      slice0cost_pixels_first_0_9 <= slice0shift_search_0_9 - other_116;
-      slice0cost_pixels_first_0_10 <= slice0shift_search_0_10 - other_116;
-      slice0cost_pixels_first_0_11 <= slice0shift_search_0_11 - other_116;
-      slice0cost_pixels_first_0_12 <= slice0shift_search_0_12 - other_116;
-      slice0cost_pixels_first_0_13 <= slice0shift_search_0_13 - other_116;
-      slice0cost_pixels_first_0_14 <= slice0shift_search_0_14 - other_116;
-      slice0cost_pixels_first_0_15 <= slice0shift_search_0_15 - other_116;
-      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - other_115;
-      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - other_115;
-      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - other_115;
-      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - other_115;
-      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - other_115;
-      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - other_115;
-      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - other_115;
-      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - other_115;
-      slice0cost_pixels_first_1_8 <= slice0shift_search_1_8 - other_115;
-      slice0cost_pixels_first_1_9 <= slice0shift_search_1_9 - other_115;
-      slice0cost_pixels_first_1_10 <= slice0shift_search_1_10 - other_115;
-      slice0cost_pixels_first_1_11 <= slice0shift_search_1_11 - other_115;
-      slice0cost_pixels_first_1_12 <= slice0shift_search_1_12 - other_115;
-      slice0cost_pixels_first_1_13 <= slice0shift_search_1_13 - other_115;
-      slice0cost_pixels_first_1_14 <= slice0shift_search_1_14 - other_115;
-      slice0cost_pixels_first_1_15 <= slice0shift_search_1_15 - other_115;
+      slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
+      slice0cost_pixels_first_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
+      slice0cost_pixels_first_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
+      slice0cost_pixels_first_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
+      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
       slice0cost_pixels_cost_0_0 <= folded(slice0cost_pixels_first_0_0) + as_number((slice0cost_pixels_first_0_0 < 0));
       slice0cost_pixels_cost_0_1 <= folded(slice0cost_pixels_first_0_1) + as_number((slice0cost_pixels_first_0_1 < 0));
       slice0cost_pixels_cost_0_2 <= folded(slice0cost_pixels_first_0_2) + as_number((slice0cost_pixels_first_0_2 < 0));
@@ -2191,6 +2234,15 @@ begin
         0));
       slice0cost_pixels_cost_1_15 <= folded(slice0cost_pixels_first_1_15) + as_number((slice0cost_pixels_first_1_15 <
         0));
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
+      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
+      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
       slice0cost_change_0_0 <= slice0cost_pixels_cost_1_0 - slice0cost_pixels_cost_0_0;
       slice0cost_change_0_1 <= slice0cost_pixels_cost_1_1 - slice0cost_pixels_cost_0_1;
       slice0cost_change_0_2 <= slice0cost_pixels_cost_1_2 - slice0cost_pixels_cost_0_2;
@@ -2213,9 +2265,15 @@ begin
       slice0cost_ready_words_3 <= to_integer(slice0cost_read_words_3);
       slice0cost_ready_words_4 <= to_integer(slice0cost_read_words_4);
       slice0cost_ready_words_5 <= to_integer(slice0cost_read_words_5);
-      slice0cost_ready_tag_valid <= other_6;
-      slice0cost_ready_tag_first_group <= other_44;
-      slice0cost_ready_tag_border_column <= other_43;
+      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
+      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
+      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
+      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
       slice0cost_column_0_0 <= slice0cost_column_0_0_choice_2;
       slice0cost_column_0_1 <= slice0cost_column_0_1_choice_2;
       slice0cost_column_0_2 <= slice0cost_column_0_2_choice_2;
@@ -2232,6 +2290,25 @@ begin
       slice0cost_column_0_13 <= slice0cost_column_0_13_choice_2;
       slice0cost_column_0_14 <= slice0cost_column_0_14_choice_2;
       slice0cost_column_0_15 <= slice0cost_column_0_15_choice_2;
+      slice0cost_write_column <= slice0cost_ready_column;
+      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
+      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
+      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
+      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
+      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
+      if slice0shift_tag_valid then
+        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
+      end if;
+      if slice0cost_pixels_first_tag_valid then
+        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
+          mod 512;
+      end if;
+      if slice0cost_pixels_tag_valid then
+        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 512;
+      end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 1024) + slice0cost_column_0_0_choice_2 +
           (slice0cost_column_0_2_choice_2 * 1048576);
@@ -2246,6 +2323,11 @@ begin
         slice0cost_write_words_5 <= slice0cost_column_0_15_choice_2;
       end if;
       -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 15 else
+          (slice0window_ring_read_address + 1) mod 16;
+        slice0window_ring_write_address <= slice0window_ring_read_address;
+      end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0));
       else
@@ -2342,7 +2424,14 @@ begin
       slice0window_entering_0_13 <= slice0cost_column_0_13;
       slice0window_entering_0_14 <= slice0cost_column_0_14;
       slice0window_entering_0_15 <= slice0cost_column_0_15;
-      slice0window_entering_tag_leaves_window <= other_49;
+      slice0window_entering_tag_valid <= slice0cost_tag_valid;
+      slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
+      slice0window_entering_tag_border_column <= slice0cost_tag_border_column;
+      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
+      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
+      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
+      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
+      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
       slice0window_change_0_0 <= slice0window_entering_0_0 - slice0window_change_0_0_choice;
       slice0window_change_0_1 <= slice0window_entering_0_1 - slice0window_change_0_1_choice;
       slice0window_change_0_2 <= slice0window_entering_0_2 - slice0window_change_0_2_choice;
@@ -2359,8 +2448,19 @@ begin
       slice0window_change_0_13 <= slice0window_entering_0_13 - slice0window_change_0_13_choice;
       slice0window_change_0_14 <= slice0window_entering_0_14 - slice0window_change_0_14_choice;
       slice0window_change_0_15 <= slice0window_entering_0_15 - slice0window_change_0_15_choice;
-      slice0window_change_tag_valid <= slice2cost_ready_tag_valid;
-      slice0window_change_tag_first_cost <= other_54;
+      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
+      slice0window_change_tag_first_group <= slice0window_entering_tag_first_group;
+      slice0window_change_tag_border_column <= slice0window_entering_tag_border_column;
+      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
+      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
+      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
+      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
+      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
+      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
+      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
+      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
+      slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
       slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
       slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
@@ -2396,6 +2496,7 @@ begin
         slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 16384;
       end if;
       -- slice0winner1
+      slice0winner1_best_index_0_0_is_not_less := (slice0window_sum_0_0 - slice0window_sum_0_1) >= 0;
       slice0winner1_best_index_0_1_is_less := (slice0window_sum_0_2 - slice0window_sum_0_3) < 0;
       slice0winner1_best_index_0_2_is_less := (slice0window_sum_0_4 - slice0window_sum_0_5) < 0;
       slice0winner1_best_index_0_3_is_less := (slice0window_sum_0_6 - slice0window_sum_0_7) < 0;
@@ -2403,7 +2504,22 @@ begin
       slice0winner1_best_index_0_5_is_less := (slice0window_sum_0_10 - slice0window_sum_0_11) < 0;
       slice0winner1_best_index_0_6_is_less := (slice0window_sum_0_12 - slice0window_sum_0_13) < 0;
       slice0winner1_best_index_0_7_is_less := (slice0window_sum_0_14 - slice0window_sum_0_15) < 0;
-      slice0winner1_best_below_0_0_is_not_less := (slice0window_sum_0_0 - slice0window_sum_0_1) >= 0;
+      slice0winner1_held_0_0 <= slice0window_sum_0_0;
+      slice0winner1_held_0_1 <= slice0window_sum_0_1;
+      slice0winner1_held_0_2 <= slice0window_sum_0_2;
+      slice0winner1_held_0_3 <= slice0window_sum_0_3;
+      slice0winner1_held_0_4 <= slice0window_sum_0_4;
+      slice0winner1_held_0_5 <= slice0window_sum_0_5;
+      slice0winner1_held_0_6 <= slice0window_sum_0_6;
+      slice0winner1_held_0_7 <= slice0window_sum_0_7;
+      slice0winner1_held_0_8 <= slice0window_sum_0_8;
+      slice0winner1_held_0_9 <= slice0window_sum_0_9;
+      slice0winner1_held_0_10 <= slice0window_sum_0_10;
+      slice0winner1_held_0_11 <= slice0window_sum_0_11;
+      slice0winner1_held_0_12 <= slice0window_sum_0_12;
+      slice0winner1_held_0_13 <= slice0window_sum_0_13;
+      slice0winner1_held_0_14 <= slice0window_sum_0_14;
+      slice0winner1_held_0_15 <= slice0window_sum_0_15;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 else
         slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when (slice0window_sum_0_3 - slice0window_sum_0_2) < 0 else
@@ -2420,6 +2536,7 @@ begin
         else slice0window_sum_0_12;
       slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when (slice0window_sum_0_15 - slice0window_sum_0_14) < 0
         else slice0window_sum_0_14;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_index_0_0_is_not_less;
       slice0winner1_best_index_0_1 <= 2 when slice0winner1_best_index_0_1_is_less else 3;
       slice0winner1_best_index_0_2 <= 4 when slice0winner1_best_index_0_2_is_less else 5;
       slice0winner1_best_index_0_3 <= 6 when slice0winner1_best_index_0_3_is_less else 7;
@@ -2427,7 +2544,7 @@ begin
       slice0winner1_best_index_0_5 <= 10 when slice0winner1_best_index_0_5_is_less else 11;
       slice0winner1_best_index_0_6 <= 12 when slice0winner1_best_index_0_6_is_less else 13;
       slice0winner1_best_index_0_7 <= 14 when slice0winner1_best_index_0_7_is_less else 15;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_below_0_0_is_not_less else 0;
+      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_index_0_0_is_not_less else 0;
       slice0winner1_best_below_0_1 <= 0 when slice0winner1_best_index_0_1_is_less else slice0window_sum_0_2;
       slice0winner1_best_below_0_2 <= 0 when slice0winner1_best_index_0_2_is_less else slice0window_sum_0_4;
       slice0winner1_best_below_0_3 <= 0 when slice0winner1_best_index_0_3_is_less else slice0window_sum_0_6;
@@ -2435,7 +2552,7 @@ begin
       slice0winner1_best_below_0_5 <= 0 when slice0winner1_best_index_0_5_is_less else slice0window_sum_0_10;
       slice0winner1_best_below_0_6 <= 0 when slice0winner1_best_index_0_6_is_less else slice0window_sum_0_12;
       slice0winner1_best_below_0_7 <= 0 when slice0winner1_best_index_0_7_is_less else slice0window_sum_0_14;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_below_0_0_is_not_less else slice0window_sum_0_1;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_index_0_0_is_not_less else slice0window_sum_0_1;
       slice0winner1_best_above_0_1 <= slice0window_sum_0_3 when slice0winner1_best_index_0_1_is_less else 0;
       slice0winner1_best_above_0_2 <= slice0window_sum_0_5 when slice0winner1_best_index_0_2_is_less else 0;
       slice0winner1_best_above_0_3 <= slice0window_sum_0_7 when slice0winner1_best_index_0_3_is_less else 0;
@@ -2443,21 +2560,6 @@ begin
       slice0winner1_best_above_0_5 <= slice0window_sum_0_11 when slice0winner1_best_index_0_5_is_less else 0;
       slice0winner1_best_above_0_6 <= slice0window_sum_0_13 when slice0winner1_best_index_0_6_is_less else 0;
       slice0winner1_best_above_0_7 <= slice0window_sum_0_15 when slice0winner1_best_index_0_7_is_less else 0;
-      slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
-      slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
-      slice0winner1_best_first_0_3 <= slice0window_sum_0_6;
-      slice0winner1_best_first_0_4 <= slice0window_sum_0_8;
-      slice0winner1_best_first_0_5 <= slice0window_sum_0_10;
-      slice0winner1_best_first_0_6 <= slice0window_sum_0_12;
-      slice0winner1_best_first_0_7 <= slice0window_sum_0_14;
-      slice0winner1_best_last_0_1 <= slice0window_sum_0_3;
-      slice0winner1_best_last_0_2 <= slice0window_sum_0_5;
-      slice0winner1_best_last_0_3 <= slice0window_sum_0_7;
-      slice0winner1_best_last_0_4 <= slice0window_sum_0_9;
-      slice0winner1_best_last_0_5 <= slice0window_sum_0_11;
-      slice0winner1_best_last_0_6 <= slice0window_sum_0_13;
-      slice0winner1_best_last_0_7 <= slice0window_sum_0_15;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
       slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
@@ -2466,42 +2568,40 @@ begin
       slice0winner1_best_late_cost_0_5 <= slice0winner1_best_cost_0_5;
       slice0winner1_best_late_cost_0_6 <= slice0winner1_best_cost_0_6;
       slice0winner1_best_late_cost_0_7 <= slice0winner1_best_cost_0_7;
-      slice0winner1_best_but_first_0_1 <= slice0winner1_best_last_0_1;
-      slice0winner1_best_but_first_0_2 <= slice0winner1_best_last_0_2;
-      slice0winner1_best_but_first_0_3 <= slice0winner1_best_last_0_3;
-      slice0winner1_best_but_first_0_4 <= slice0winner1_best_last_0_4;
-      slice0winner1_best_but_first_0_5 <= slice0winner1_best_last_0_5;
-      slice0winner1_best_but_first_0_6 <= slice0winner1_best_last_0_6;
-      slice0winner1_best_but_first_0_7 <= slice0winner1_best_last_0_7;
-      slice0winner1_best_but_last_0_0 <= slice0winner1_best_first_0_0;
-      slice0winner1_best_but_last_0_1 <= slice0winner1_best_first_0_1;
-      slice0winner1_best_but_last_0_2 <= slice0winner1_best_first_0_2;
-      slice0winner1_best_but_last_0_3 <= slice0winner1_best_first_0_3;
-      slice0winner1_best_but_last_0_4 <= slice0winner1_best_first_0_4;
-      slice0winner1_best_but_last_0_5 <= slice0winner1_best_first_0_5;
-      slice0winner1_best_but_last_0_6 <= slice0winner1_best_first_0_6;
-      slice0winner1_best_but_last_0_7 <= slice0winner1_best_first_0_7;
+      slice0winner1_best_but_first_0_1 <= slice0winner1_held_0_3;
+      slice0winner1_best_but_first_0_2 <= slice0winner1_held_0_5;
+      slice0winner1_best_but_first_0_3 <= slice0winner1_held_0_7;
+      slice0winner1_best_but_first_0_4 <= slice0winner1_held_0_9;
+      slice0winner1_best_but_first_0_5 <= slice0winner1_held_0_11;
+      slice0winner1_best_but_first_0_6 <= slice0winner1_held_0_13;
+      slice0winner1_best_but_first_0_7 <= slice0winner1_held_0_15;
+      slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
+      slice0winner1_best_but_last_0_1 <= slice0winner1_held_0_2;
+      slice0winner1_best_but_last_0_2 <= slice0winner1_held_0_4;
+      slice0winner1_best_but_last_0_3 <= slice0winner1_held_0_6;
+      slice0winner1_best_but_last_0_4 <= slice0winner1_held_0_8;
+      slice0winner1_best_but_last_0_5 <= slice0winner1_held_0_10;
+      slice0winner1_best_but_last_0_6 <= slice0winner1_held_0_12;
+      slice0winner1_best_but_last_0_7 <= slice0winner1_held_0_14;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
       -- slice0winner2
       slice0winner2_best_index_0_0_is_not_less := (slice0winner1_best_cost_0_0 - slice0winner1_best_cost_0_1) >= 0;
       slice0winner2_best_index_0_1_is_not_less := (slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) >= 0;
       slice0winner2_best_index_0_2_is_not_less := (slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) >= 0;
       slice0winner2_best_index_0_3_is_not_less := (slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) >= 0;
-      slice0winner2_best_below_0_0_choice := other_24 when other_29 else slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when other_30 else
-        slice0winner1_best_below_0_3;
-      slice0winner2_best_below_0_2_choice := slice0winner1_best_last_0_4 when other_33 else
-        slice0winner1_best_below_0_5;
-      slice0winner2_best_below_0_3_choice := slice0winner1_best_last_0_6 when other_34 else
-        slice0winner1_best_below_0_7;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when other_25 else
+      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when other_12 else slice0winner1_best_below_0_1;
+      slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5 when other_13 else slice0winner1_best_below_0_3;
+      slice0winner2_best_below_0_2_choice := slice0winner1_held_0_9 when other_14 else slice0winner1_best_below_0_5;
+      slice0winner2_best_below_0_3_choice := slice0winner1_held_0_13 when other_15 else slice0winner1_best_below_0_7;
+      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when ((slice0winner1_best_index_0_2 / 4) = 1)
-        and ((slice0winner1_best_index_0_2 mod 2) = 1) else slice0winner1_best_above_0_2;
-      slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5 when ((slice0winner1_best_index_0_4 / 8) = 1)
-        and ((slice0winner1_best_index_0_4 mod 2) = 1) else slice0winner1_best_above_0_4;
+      slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6 when ((slice0winner1_best_index_0_2 / 4) = 1) and
+        ((slice0winner1_best_index_0_2 mod 2) = 1) else slice0winner1_best_above_0_2;
+      slice0winner2_best_above_0_2_choice := slice0winner1_held_0_10 when ((slice0winner1_best_index_0_4 / 8) = 1) and
+        ((slice0winner1_best_index_0_4 mod 2) = 1) else slice0winner1_best_above_0_4;
       slice0winner2_best_above_0_3_value := ((slice0winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice0winner2_best_above_0_3_choice := slice0winner1_best_first_0_7 when ((slice0winner1_best_index_0_6 / 8) = 1)
-        and slice0winner2_best_above_0_3_value and ((slice0winner1_best_index_0_6 mod 2) = 1) else
+      slice0winner2_best_above_0_3_choice := slice0winner1_held_0_14 when ((slice0winner1_best_index_0_6 / 8) = 1) and
+        slice0winner2_best_above_0_3_value and ((slice0winner1_best_index_0_6 mod 2) = 1) else
         slice0winner1_best_above_0_6;
       slice0winner2_best_second_0_0_choice := 16383 when slice0winner2_best_place_0_0 else
         slice0winner1_best_late_cost_0_1;
@@ -2544,7 +2644,7 @@ begin
       slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when (slice0winner1_best_cost_0_7 -
         slice0winner1_best_cost_0_6) < 0 else slice0winner1_best_cost_0_6;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_index_0_0_is_not_less else
-        as_number(other_25);
+        as_number(slice0winner1_best_index_0_0);
       slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_index_0_1_is_not_less else
         slice0winner1_best_index_0_2;
       slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_index_0_2_is_not_less else
@@ -2567,22 +2667,23 @@ begin
         slice0winner2_best_above_0_2_choice;
       slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7 when slice0winner2_best_index_0_3_is_not_less else
         slice0winner2_best_above_0_3_choice;
-      slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
-      slice0winner2_best_first_0_2 <= slice0winner1_best_first_0_4;
-      slice0winner2_best_first_0_3 <= slice0winner1_best_first_0_6;
-      slice0winner2_best_last_0_0 <= slice0winner1_best_last_0_1;
-      slice0winner2_best_last_0_1 <= slice0winner1_best_last_0_3;
-      slice0winner2_best_last_0_2 <= slice0winner1_best_last_0_5;
-      slice0winner2_best_last_0_3 <= slice0winner1_best_last_0_7;
+      slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
+      slice0winner2_best_first_0_2 <= slice0winner1_held_0_8;
+      slice0winner2_best_first_0_3 <= slice0winner1_held_0_12;
+      slice0winner2_best_last_0_0 <= slice0winner1_held_0_3;
+      slice0winner2_best_last_0_1 <= slice0winner1_held_0_7;
+      slice0winner2_best_last_0_2 <= slice0winner1_held_0_11;
+      slice0winner2_best_last_0_3 <= slice0winner1_held_0_15;
       slice0winner2_best_place_0_0 <= slice0winner2_best_index_0_0_is_not_less;
       slice0winner2_best_place_0_1 <= slice0winner2_best_index_0_1_is_not_less;
       slice0winner2_best_place_0_2 <= slice0winner2_best_index_0_2_is_not_less;
       slice0winner2_best_place_0_3 <= slice0winner2_best_index_0_3_is_not_less;
-      slice0winner2_best_at_start_0_0 <= other_29 and slice0winner2_best_index_0_0_is_not_less;
-      slice0winner2_best_at_start_0_1 <= other_30 and slice0winner2_best_index_0_1_is_not_less;
-      slice0winner2_best_at_start_0_2 <= other_33 and slice0winner2_best_index_0_2_is_not_less;
-      slice0winner2_best_at_start_0_3 <= other_34 and slice0winner2_best_index_0_3_is_not_less;
-      slice0winner2_best_at_end_0_0 <= other_25 and ((slice0winner1_best_cost_0_0 - slice0winner1_best_cost_0_1) < 0);
+      slice0winner2_best_at_start_0_0 <= other_12 and slice0winner2_best_index_0_0_is_not_less;
+      slice0winner2_best_at_start_0_1 <= other_13 and slice0winner2_best_index_0_1_is_not_less;
+      slice0winner2_best_at_start_0_2 <= other_14 and slice0winner2_best_index_0_2_is_not_less;
+      slice0winner2_best_at_start_0_3 <= other_15 and slice0winner2_best_index_0_3_is_not_less;
+      slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0_0 -
+        slice0winner1_best_cost_0_1) < 0);
       slice0winner2_best_at_end_0_1 <= ((slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) < 0) and
         ((slice0winner1_best_index_0_2 / 4) = 1) and ((slice0winner1_best_index_0_2 mod 2) = 1);
       slice0winner2_best_at_end_0_2 <= ((slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) < 0) and
@@ -2620,6 +2721,12 @@ begin
         slice0winner1_best_late_cost_0_4) < 0 else slice0winner1_best_late_cost_0_4;
       slice0winner2_best_but_last_0_3 <= slice0winner1_best_but_last_0_7 when (slice0winner1_best_but_last_0_7 -
         slice0winner1_best_late_cost_0_6) < 0 else slice0winner1_best_late_cost_0_6;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_tag_valid then
+        slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
+        slice0winner2_tag_start_of_frame <= slice3window_centre_start_of_frame_5;
+        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_5;
+      end if;
       -- slice0winner3
       slice0winner3_best_index_0_0_is_not_less := (slice0winner2_best_cost_0_0 - slice0winner2_best_cost_0_1) >= 0;
       slice0winner3_best_index_0_1_is_not_less := (slice0winner2_best_cost_0_2 - slice0winner2_best_cost_0_3) >= 0;
@@ -2694,6 +2801,10 @@ begin
         slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
       slice0winner3_best_but_last_0_1 <= slice0winner2_best_but_last_0_3 when (slice0winner2_best_but_last_0_3 -
         slice0winner2_best_late_cost_0_2) < 0 else slice0winner2_best_late_cost_0_2;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0winner4
       slice0winner4_best_index_0_0_is_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) < 0;
       slice0winner4_best_below_0_0_is_equal := slice0winner3_best_index_0_1 = 8;
@@ -2730,6 +2841,10 @@ begin
         slice0winner4_best_second_0_0_choice_4;
       slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0_1 when (slice0winner3_best_but_last_0_1 -
         slice0winner3_best_late_cost_0_0) < 0 else slice0winner3_best_late_cost_0_0;
+      slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
+      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice0
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner4_best_below_0_0;
@@ -2738,8 +2853,12 @@ begin
       slice0_best_late_cost_0_0 <= slice0winner4_best_late_cost_0_0;
       slice0_best_second_0_0 <= slice0winner4_best_second_0_0;
       slice0_best_but_last_0_0 <= slice0winner4_best_but_last_0_0;
+      slice0_best_tag_valid <= slice0winner4_tag_valid;
+      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice1shift
-      if other_101 then
+      if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice0shift_search_out_0;
         slice1shift_search_0_1 <= slice1shift_search_0_0;
         slice1shift_search_0_2 <= slice1shift_search_0_1;
@@ -2773,63 +2892,60 @@ begin
         slice1shift_search_1_14 <= slice1shift_search_1_13;
         slice1shift_search_1_15 <= slice1shift_search_1_14;
       end if;
-      slice1shift_reference_0 <= other_116;
-      slice1shift_reference_1 <= other_115;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
       slice1shift_search_out_0 <= slice1shift_search_0_15;
       slice1shift_search_out_1 <= slice1shift_search_1_15;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_0 mod 1024;
-      slice1cost_column_0_0_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_0 +
+      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 1024;
+      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
         slice1cost_column_0_0_choice) mod 1024;
-      slice1cost_column_0_1_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_0 / 1024)
-        mod 1024;
-      slice1cost_column_0_1_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_1 +
+      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 1024) mod 1024;
+      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
         slice1cost_column_0_1_choice) mod 1024;
-      slice1cost_column_0_2_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_0 / 1048576;
-      slice1cost_column_0_2_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_2 +
+      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 1048576;
+      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
         slice1cost_column_0_2_choice) mod 1024;
-      slice1cost_column_0_3_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_1 mod 1024;
-      slice1cost_column_0_3_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_3 +
+      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 1024;
+      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
         slice1cost_column_0_3_choice) mod 1024;
-      slice1cost_column_0_4_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_1 / 1024)
-        mod 1024;
-      slice1cost_column_0_4_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_4 +
+      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_1 / 1024) mod 1024;
+      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
         slice1cost_column_0_4_choice) mod 1024;
-      slice1cost_column_0_5_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_1 / 1048576;
-      slice1cost_column_0_5_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_5 +
+      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 1048576;
+      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
         slice1cost_column_0_5_choice) mod 1024;
-      slice1cost_column_0_6_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_2 mod 1024;
-      slice1cost_column_0_6_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_6 +
+      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 1024;
+      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
         slice1cost_column_0_6_choice) mod 1024;
-      slice1cost_column_0_7_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_2 / 1024)
-        mod 1024;
-      slice1cost_column_0_7_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_7 +
+      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_2 / 1024) mod 1024;
+      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
         slice1cost_column_0_7_choice) mod 1024;
-      slice1cost_column_0_8_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_2 / 1048576;
-      slice1cost_column_0_8_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_8 +
+      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 1048576;
+      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
         slice1cost_column_0_8_choice) mod 1024;
-      slice1cost_column_0_9_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_3 mod 1024;
-      slice1cost_column_0_9_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_9 +
+      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 1024;
+      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
         slice1cost_column_0_9_choice) mod 1024;
-      slice1cost_column_0_10_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_3 / 1024)
-        mod 1024;
-      slice1cost_column_0_10_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_10 +
+      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_3 / 1024) mod
+        1024;
+      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
         slice1cost_column_0_10_choice) mod 1024;
-      slice1cost_column_0_11_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_3 / 1048576;
-      slice1cost_column_0_11_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_11 +
+      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 1048576;
+      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
         slice1cost_column_0_11_choice) mod 1024;
-      slice1cost_column_0_12_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_4 mod 1024;
-      slice1cost_column_0_12_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_12 +
+      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 mod 1024;
+      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
         slice1cost_column_0_12_choice) mod 1024;
-      slice1cost_column_0_13_choice := 0 when slice1cost_ready_tag_first_group else (slice1cost_ready_words_4 / 1024)
-        mod 1024;
-      slice1cost_column_0_13_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_13 +
+      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_4 / 1024) mod
+        1024;
+      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
         slice1cost_column_0_13_choice) mod 1024;
-      slice1cost_column_0_14_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_4 / 1048576;
-      slice1cost_column_0_14_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_14 +
+      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 / 1048576;
+      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
         slice1cost_column_0_14_choice) mod 1024;
-      slice1cost_column_0_15_choice := 0 when slice1cost_ready_tag_first_group else slice1cost_ready_words_5;
-      slice1cost_column_0_15_choice_2 := 0 when slice1cost_ready_tag_border_column else (slice1cost_change_0_15 +
+      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5;
+      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
         slice1cost_column_0_15_choice) mod 1024;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
@@ -2907,6 +3023,8 @@ begin
         0));
       slice1cost_pixels_cost_1_15 <= folded(slice1cost_pixels_first_1_15) + as_number((slice1cost_pixels_first_1_15 <
         0));
+      slice1cost_read_column <= slice0cost_read_column;
+      slice1cost_change_column <= slice0cost_change_column;
       slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
       slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
       slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
@@ -2929,9 +3047,7 @@ begin
       slice1cost_ready_words_3 <= to_integer(slice1cost_read_words_3);
       slice1cost_ready_words_4 <= to_integer(slice1cost_read_words_4);
       slice1cost_ready_words_5 <= to_integer(slice1cost_read_words_5);
-      slice1cost_ready_tag_valid <= slice0cost_ready_tag_valid;
-      slice1cost_ready_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice1cost_ready_tag_border_column <= slice0cost_ready_tag_border_column;
+      slice1cost_ready_column <= slice1cost_change_column;
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
@@ -2948,7 +3064,8 @@ begin
       slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
       slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
       slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
-      if slice1cost_ready_tag_valid then
+      slice1cost_write_column <= slice0cost_write_column;
+      if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 1024) + slice1cost_column_0_0_choice_2 +
           (slice1cost_column_0_2_choice_2 * 1048576);
         slice1cost_write_words_1 <= (slice1cost_column_0_4_choice_2 * 1024) + slice1cost_column_0_3_choice_2 +
@@ -2962,87 +3079,87 @@ begin
         slice1cost_write_words_5 <= slice1cost_column_0_15_choice_2;
       end if;
       -- slice1window
-      if slice2cost_ready_tag_valid then
+      if slice0window_entering_tag_valid then
         slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 15 else
           (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0));
       else
         slice1window_change_0_0_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(19 downto 10));
       else
         slice1window_change_0_1_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(29 downto 20));
       else
         slice1window_change_0_2_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_3_choice := to_integer(slice1window_leaving_1(9 downto 0));
       else
         slice1window_change_0_3_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_4_choice := to_integer(slice1window_leaving_1(19 downto 10));
       else
         slice1window_change_0_4_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_5_choice := to_integer(slice1window_leaving_1(29 downto 20));
       else
         slice1window_change_0_5_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_6_choice := to_integer(slice1window_leaving_2(9 downto 0));
       else
         slice1window_change_0_6_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_7_choice := to_integer(slice1window_leaving_2(19 downto 10));
       else
         slice1window_change_0_7_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_8_choice := to_integer(slice1window_leaving_2(29 downto 20));
       else
         slice1window_change_0_8_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_9_choice := to_integer(slice1window_leaving_3(9 downto 0));
       else
         slice1window_change_0_9_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_10_choice := to_integer(slice1window_leaving_3(19 downto 10));
       else
         slice1window_change_0_10_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_11_choice := to_integer(slice1window_leaving_3(29 downto 20));
       else
         slice1window_change_0_11_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_12_choice := to_integer(slice1window_leaving_4(9 downto 0));
       else
         slice1window_change_0_12_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_13_choice := to_integer(slice1window_leaving_4(19 downto 10));
       else
         slice1window_change_0_13_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_14_choice := to_integer(slice1window_leaving_4(29 downto 20));
       else
         slice1window_change_0_14_choice := 0;
       end if;
-      if slice1window_entering_tag_leaves_window then
+      if slice0window_change_tag_leaves_window then
         slice1window_change_0_15_choice := to_integer(slice1window_leaving_5);
       else
         slice1window_change_0_15_choice := 0;
@@ -3063,7 +3180,6 @@ begin
       slice1window_entering_0_13 <= slice1cost_column_0_13;
       slice1window_entering_0_14 <= slice1cost_column_0_14;
       slice1window_entering_0_15 <= slice1cost_column_0_15;
-      slice1window_entering_tag_leaves_window <= slice0window_entering_tag_leaves_window;
       slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
       slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
       slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
@@ -3080,8 +3196,11 @@ begin
       slice1window_change_0_13 <= slice1window_entering_0_13 - slice1window_change_0_13_choice;
       slice1window_change_0_14 <= slice1window_entering_0_14 - slice1window_change_0_14_choice;
       slice1window_change_0_15 <= slice1window_entering_0_15 - slice1window_change_0_15_choice;
-      slice1window_change_tag_valid <= slice0window_change_tag_valid;
       slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
+      slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
+      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+      slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_1;
+      slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
       slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
       slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
@@ -3098,7 +3217,7 @@ begin
       slice1window_sum_0_13_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_13;
       slice1window_sum_0_14_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_14;
       slice1window_sum_0_15_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_15;
-      if slice1window_change_tag_valid then
+      if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
         slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 16384;
@@ -3116,7 +3235,13 @@ begin
         slice1window_sum_0_14 <= (slice1window_sum_0_14_choice + slice1window_change_0_14) mod 16384;
         slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 16384;
       end if;
+      if slice0winner2_tag_valid then
+        slice1window_centre_start_of_frame_3 <= slice3window_centre_start_of_frame_1;
+        slice1window_centre_start_of_frame_4 <= slice1window_centre_start_of_frame_3;
+        slice1window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_4;
+      end if;
       -- slice1winner1
+      slice1winner1_best_index_0_0_is_not_less := (slice1window_sum_0_0 - slice1window_sum_0_1) >= 0;
       slice1winner1_best_index_0_1_is_less := (slice1window_sum_0_2 - slice1window_sum_0_3) < 0;
       slice1winner1_best_index_0_2_is_less := (slice1window_sum_0_4 - slice1window_sum_0_5) < 0;
       slice1winner1_best_index_0_3_is_less := (slice1window_sum_0_6 - slice1window_sum_0_7) < 0;
@@ -3124,7 +3249,22 @@ begin
       slice1winner1_best_index_0_5_is_less := (slice1window_sum_0_10 - slice1window_sum_0_11) < 0;
       slice1winner1_best_index_0_6_is_less := (slice1window_sum_0_12 - slice1window_sum_0_13) < 0;
       slice1winner1_best_index_0_7_is_less := (slice1window_sum_0_14 - slice1window_sum_0_15) < 0;
-      slice1winner1_best_below_0_0_is_not_less := (slice1window_sum_0_0 - slice1window_sum_0_1) >= 0;
+      slice1winner1_held_0_0 <= slice1window_sum_0_0;
+      slice1winner1_held_0_1 <= slice1window_sum_0_1;
+      slice1winner1_held_0_2 <= slice1window_sum_0_2;
+      slice1winner1_held_0_3 <= slice1window_sum_0_3;
+      slice1winner1_held_0_4 <= slice1window_sum_0_4;
+      slice1winner1_held_0_5 <= slice1window_sum_0_5;
+      slice1winner1_held_0_6 <= slice1window_sum_0_6;
+      slice1winner1_held_0_7 <= slice1window_sum_0_7;
+      slice1winner1_held_0_8 <= slice1window_sum_0_8;
+      slice1winner1_held_0_9 <= slice1window_sum_0_9;
+      slice1winner1_held_0_10 <= slice1window_sum_0_10;
+      slice1winner1_held_0_11 <= slice1window_sum_0_11;
+      slice1winner1_held_0_12 <= slice1window_sum_0_12;
+      slice1winner1_held_0_13 <= slice1window_sum_0_13;
+      slice1winner1_held_0_14 <= slice1window_sum_0_14;
+      slice1winner1_held_0_15 <= slice1window_sum_0_15;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 else
         slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when (slice1window_sum_0_3 - slice1window_sum_0_2) < 0 else
@@ -3141,6 +3281,7 @@ begin
         else slice1window_sum_0_12;
       slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when (slice1window_sum_0_15 - slice1window_sum_0_14) < 0
         else slice1window_sum_0_14;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_index_0_0_is_not_less;
       slice1winner1_best_index_0_1 <= 2 when slice1winner1_best_index_0_1_is_less else 3;
       slice1winner1_best_index_0_2 <= 4 when slice1winner1_best_index_0_2_is_less else 5;
       slice1winner1_best_index_0_3 <= 6 when slice1winner1_best_index_0_3_is_less else 7;
@@ -3148,7 +3289,7 @@ begin
       slice1winner1_best_index_0_5 <= 10 when slice1winner1_best_index_0_5_is_less else 11;
       slice1winner1_best_index_0_6 <= 12 when slice1winner1_best_index_0_6_is_less else 13;
       slice1winner1_best_index_0_7 <= 14 when slice1winner1_best_index_0_7_is_less else 15;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_below_0_0_is_not_less else 0;
+      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_index_0_0_is_not_less else 0;
       slice1winner1_best_below_0_1 <= 0 when slice1winner1_best_index_0_1_is_less else slice1window_sum_0_2;
       slice1winner1_best_below_0_2 <= 0 when slice1winner1_best_index_0_2_is_less else slice1window_sum_0_4;
       slice1winner1_best_below_0_3 <= 0 when slice1winner1_best_index_0_3_is_less else slice1window_sum_0_6;
@@ -3156,7 +3297,7 @@ begin
       slice1winner1_best_below_0_5 <= 0 when slice1winner1_best_index_0_5_is_less else slice1window_sum_0_10;
       slice1winner1_best_below_0_6 <= 0 when slice1winner1_best_index_0_6_is_less else slice1window_sum_0_12;
       slice1winner1_best_below_0_7 <= 0 when slice1winner1_best_index_0_7_is_less else slice1window_sum_0_14;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_below_0_0_is_not_less else slice1window_sum_0_1;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_index_0_0_is_not_less else slice1window_sum_0_1;
       slice1winner1_best_above_0_1 <= slice1window_sum_0_3 when slice1winner1_best_index_0_1_is_less else 0;
       slice1winner1_best_above_0_2 <= slice1window_sum_0_5 when slice1winner1_best_index_0_2_is_less else 0;
       slice1winner1_best_above_0_3 <= slice1window_sum_0_7 when slice1winner1_best_index_0_3_is_less else 0;
@@ -3164,22 +3305,6 @@ begin
       slice1winner1_best_above_0_5 <= slice1window_sum_0_11 when slice1winner1_best_index_0_5_is_less else 0;
       slice1winner1_best_above_0_6 <= slice1window_sum_0_13 when slice1winner1_best_index_0_6_is_less else 0;
       slice1winner1_best_above_0_7 <= slice1window_sum_0_15 when slice1winner1_best_index_0_7_is_less else 0;
-      slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
-      slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
-      slice1winner1_best_first_0_3 <= slice1window_sum_0_6;
-      slice1winner1_best_first_0_4 <= slice1window_sum_0_8;
-      slice1winner1_best_first_0_5 <= slice1window_sum_0_10;
-      slice1winner1_best_first_0_6 <= slice1window_sum_0_12;
-      slice1winner1_best_first_0_7 <= slice1window_sum_0_14;
-      slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
-      slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
-      slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
-      slice1winner1_best_last_0_3 <= slice1window_sum_0_7;
-      slice1winner1_best_last_0_4 <= slice1window_sum_0_9;
-      slice1winner1_best_last_0_5 <= slice1window_sum_0_11;
-      slice1winner1_best_last_0_6 <= slice1window_sum_0_13;
-      slice1winner1_best_last_0_7 <= slice1window_sum_0_15;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
       slice1winner1_best_late_cost_0_2 <= slice1winner1_best_cost_0_2;
@@ -3188,44 +3313,40 @@ begin
       slice1winner1_best_late_cost_0_5 <= slice1winner1_best_cost_0_5;
       slice1winner1_best_late_cost_0_6 <= slice1winner1_best_cost_0_6;
       slice1winner1_best_late_cost_0_7 <= slice1winner1_best_cost_0_7;
-      slice1winner1_best_but_first_0_0 <= slice1winner1_best_last_0_0;
-      slice1winner1_best_but_first_0_1 <= slice1winner1_best_last_0_1;
-      slice1winner1_best_but_first_0_2 <= slice1winner1_best_last_0_2;
-      slice1winner1_best_but_first_0_3 <= slice1winner1_best_last_0_3;
-      slice1winner1_best_but_first_0_4 <= slice1winner1_best_last_0_4;
-      slice1winner1_best_but_first_0_5 <= slice1winner1_best_last_0_5;
-      slice1winner1_best_but_first_0_6 <= slice1winner1_best_last_0_6;
-      slice1winner1_best_but_first_0_7 <= slice1winner1_best_last_0_7;
-      slice1winner1_best_but_last_0_0 <= slice1winner1_best_first_0_0;
-      slice1winner1_best_but_last_0_1 <= slice1winner1_best_first_0_1;
-      slice1winner1_best_but_last_0_2 <= slice1winner1_best_first_0_2;
-      slice1winner1_best_but_last_0_3 <= slice1winner1_best_first_0_3;
-      slice1winner1_best_but_last_0_4 <= slice1winner1_best_first_0_4;
-      slice1winner1_best_but_last_0_5 <= slice1winner1_best_first_0_5;
-      slice1winner1_best_but_last_0_6 <= slice1winner1_best_first_0_6;
-      slice1winner1_best_but_last_0_7 <= slice1winner1_best_first_0_7;
+      slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
+      slice1winner1_best_but_first_0_1 <= slice1winner1_held_0_3;
+      slice1winner1_best_but_first_0_2 <= slice1winner1_held_0_5;
+      slice1winner1_best_but_first_0_3 <= slice1winner1_held_0_7;
+      slice1winner1_best_but_first_0_4 <= slice1winner1_held_0_9;
+      slice1winner1_best_but_first_0_5 <= slice1winner1_held_0_11;
+      slice1winner1_best_but_first_0_6 <= slice1winner1_held_0_13;
+      slice1winner1_best_but_first_0_7 <= slice1winner1_held_0_15;
+      slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      slice1winner1_best_but_last_0_1 <= slice1winner1_held_0_2;
+      slice1winner1_best_but_last_0_2 <= slice1winner1_held_0_4;
+      slice1winner1_best_but_last_0_3 <= slice1winner1_held_0_6;
+      slice1winner1_best_but_last_0_4 <= slice1winner1_held_0_8;
+      slice1winner1_best_but_last_0_5 <= slice1winner1_held_0_10;
+      slice1winner1_best_but_last_0_6 <= slice1winner1_held_0_12;
+      slice1winner1_best_but_last_0_7 <= slice1winner1_held_0_14;
       -- slice1winner2
       slice1winner2_best_index_0_0_is_not_less := (slice1winner1_best_cost_0_0 - slice1winner1_best_cost_0_1) >= 0;
       slice1winner2_best_index_0_1_is_not_less := (slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) >= 0;
       slice1winner2_best_index_0_2_is_not_less := (slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) >= 0;
       slice1winner2_best_index_0_3_is_not_less := (slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) >= 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when other_23 else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when other_26 else
-        slice1winner1_best_below_0_3;
-      slice1winner2_best_below_0_2_choice := slice1winner1_best_last_0_4 when other_27 else
-        slice1winner1_best_below_0_5;
-      slice1winner2_best_below_0_3_choice := slice1winner1_best_last_0_6 when other_28 else
-        slice1winner1_best_below_0_7;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when other_12 else
+      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when other_8 else slice1winner1_best_below_0_1;
+      slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5 when other_9 else slice1winner1_best_below_0_3;
+      slice1winner2_best_below_0_2_choice := slice1winner1_held_0_9 when other_10 else slice1winner1_best_below_0_5;
+      slice1winner2_best_below_0_3_choice := slice1winner1_held_0_13 when other_11 else slice1winner1_best_below_0_7;
+      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when ((slice1winner1_best_index_0_2 / 4) = 1)
-        and ((slice1winner1_best_index_0_2 mod 2) = 1) else slice1winner1_best_above_0_2;
-      slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5 when ((slice1winner1_best_index_0_4 / 8) = 1)
-        and ((slice1winner1_best_index_0_4 mod 2) = 1) else slice1winner1_best_above_0_4;
+      slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6 when ((slice1winner1_best_index_0_2 / 4) = 1) and
+        ((slice1winner1_best_index_0_2 mod 2) = 1) else slice1winner1_best_above_0_2;
+      slice1winner2_best_above_0_2_choice := slice1winner1_held_0_10 when ((slice1winner1_best_index_0_4 / 8) = 1) and
+        ((slice1winner1_best_index_0_4 mod 2) = 1) else slice1winner1_best_above_0_4;
       slice1winner2_best_above_0_3_value := ((slice1winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice1winner2_best_above_0_3_choice := slice1winner1_best_first_0_7 when ((slice1winner1_best_index_0_6 / 8) = 1)
-        and slice1winner2_best_above_0_3_value and ((slice1winner1_best_index_0_6 mod 2) = 1) else
+      slice1winner2_best_above_0_3_choice := slice1winner1_held_0_14 when ((slice1winner1_best_index_0_6 / 8) = 1) and
+        slice1winner2_best_above_0_3_value and ((slice1winner1_best_index_0_6 mod 2) = 1) else
         slice1winner1_best_above_0_6;
       slice1winner2_best_second_0_0_choice := 16383 when slice1winner2_best_place_0_0 else
         slice1winner1_best_late_cost_0_1;
@@ -3268,7 +3389,7 @@ begin
       slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when (slice1winner1_best_cost_0_7 -
         slice1winner1_best_cost_0_6) < 0 else slice1winner1_best_cost_0_6;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_index_0_0_is_not_less else
-        as_number(other_12);
+        as_number(slice1winner1_best_index_0_0);
       slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_index_0_1_is_not_less else
         slice1winner1_best_index_0_2;
       slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_index_0_2_is_not_less else
@@ -3291,23 +3412,24 @@ begin
         slice1winner2_best_above_0_2_choice;
       slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7 when slice1winner2_best_index_0_3_is_not_less else
         slice1winner2_best_above_0_3_choice;
-      slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
-      slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
-      slice1winner2_best_first_0_2 <= slice1winner1_best_first_0_4;
-      slice1winner2_best_first_0_3 <= slice1winner1_best_first_0_6;
-      slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
-      slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_3;
-      slice1winner2_best_last_0_2 <= slice1winner1_best_last_0_5;
-      slice1winner2_best_last_0_3 <= slice1winner1_best_last_0_7;
+      slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
+      slice1winner2_best_first_0_1 <= slice1winner1_held_0_4;
+      slice1winner2_best_first_0_2 <= slice1winner1_held_0_8;
+      slice1winner2_best_first_0_3 <= slice1winner1_held_0_12;
+      slice1winner2_best_last_0_0 <= slice1winner1_held_0_3;
+      slice1winner2_best_last_0_1 <= slice1winner1_held_0_7;
+      slice1winner2_best_last_0_2 <= slice1winner1_held_0_11;
+      slice1winner2_best_last_0_3 <= slice1winner1_held_0_15;
       slice1winner2_best_place_0_0 <= slice1winner2_best_index_0_0_is_not_less;
       slice1winner2_best_place_0_1 <= slice1winner2_best_index_0_1_is_not_less;
       slice1winner2_best_place_0_2 <= slice1winner2_best_index_0_2_is_not_less;
       slice1winner2_best_place_0_3 <= slice1winner2_best_index_0_3_is_not_less;
-      slice1winner2_best_at_start_0_0 <= other_23 and slice1winner2_best_index_0_0_is_not_less;
-      slice1winner2_best_at_start_0_1 <= other_26 and slice1winner2_best_index_0_1_is_not_less;
-      slice1winner2_best_at_start_0_2 <= other_27 and slice1winner2_best_index_0_2_is_not_less;
-      slice1winner2_best_at_start_0_3 <= other_28 and slice1winner2_best_index_0_3_is_not_less;
-      slice1winner2_best_at_end_0_0 <= other_12 and ((slice1winner1_best_cost_0_0 - slice1winner1_best_cost_0_1) < 0);
+      slice1winner2_best_at_start_0_0 <= other_8 and slice1winner2_best_index_0_0_is_not_less;
+      slice1winner2_best_at_start_0_1 <= other_9 and slice1winner2_best_index_0_1_is_not_less;
+      slice1winner2_best_at_start_0_2 <= other_10 and slice1winner2_best_index_0_2_is_not_less;
+      slice1winner2_best_at_start_0_3 <= other_11 and slice1winner2_best_index_0_3_is_not_less;
+      slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0_0 -
+        slice1winner1_best_cost_0_1) < 0);
       slice1winner2_best_at_end_0_1 <= ((slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) < 0) and
         ((slice1winner1_best_index_0_2 / 4) = 1) and ((slice1winner1_best_index_0_2 mod 2) = 1);
       slice1winner2_best_at_end_0_2 <= ((slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) < 0) and
@@ -3501,8 +3623,12 @@ begin
         slice1_best_second_0_0_choice_6) < 0 else slice1_best_second_0_0_choice_6;
       slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0 when (slice1winner4_best_but_last_0_0 -
         slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       -- slice2shift
-      if other_5 then
+      if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
         slice2shift_search_0_1 <= slice2shift_search_0_0;
         slice2shift_search_0_2 <= slice2shift_search_0_1;
@@ -3541,58 +3667,68 @@ begin
       slice2shift_search_out_0 <= slice2shift_search_0_15;
       slice2shift_search_out_1 <= slice2shift_search_1_15;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_0 mod 1024;
-      slice2cost_column_0_0_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_0 +
+      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
+        1024;
+      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
         slice2cost_column_0_0_choice) mod 1024;
-      slice2cost_column_0_1_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_0 / 1024)
-        mod 1024;
-      slice2cost_column_0_1_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_1 +
+      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_0 /
+        1024) mod 1024;
+      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
         slice2cost_column_0_1_choice) mod 1024;
-      slice2cost_column_0_2_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_0 / 1048576;
-      slice2cost_column_0_2_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_2 +
+      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 /
+        1048576;
+      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
         slice2cost_column_0_2_choice) mod 1024;
-      slice2cost_column_0_3_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_1 mod 1024;
-      slice2cost_column_0_3_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_3 +
+      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 mod
+        1024;
+      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
         slice2cost_column_0_3_choice) mod 1024;
-      slice2cost_column_0_4_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_1 / 1024)
-        mod 1024;
-      slice2cost_column_0_4_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_4 +
+      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_1 /
+        1024) mod 1024;
+      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
         slice2cost_column_0_4_choice) mod 1024;
-      slice2cost_column_0_5_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_1 / 1048576;
-      slice2cost_column_0_5_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_5 +
+      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 /
+        1048576;
+      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
         slice2cost_column_0_5_choice) mod 1024;
-      slice2cost_column_0_6_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_2 mod 1024;
-      slice2cost_column_0_6_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_6 +
+      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 mod
+        1024;
+      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
         slice2cost_column_0_6_choice) mod 1024;
-      slice2cost_column_0_7_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_2 / 1024)
-        mod 1024;
-      slice2cost_column_0_7_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_7 +
+      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_2 /
+        1024) mod 1024;
+      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
         slice2cost_column_0_7_choice) mod 1024;
-      slice2cost_column_0_8_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_2 / 1048576;
-      slice2cost_column_0_8_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_8 +
+      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 /
+        1048576;
+      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
         slice2cost_column_0_8_choice) mod 1024;
-      slice2cost_column_0_9_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_3 mod 1024;
-      slice2cost_column_0_9_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_9 +
+      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 mod
+        1024;
+      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
         slice2cost_column_0_9_choice) mod 1024;
-      slice2cost_column_0_10_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_3 / 1024)
-        mod 1024;
-      slice2cost_column_0_10_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_10 +
+      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_3 /
+        1024) mod 1024;
+      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
         slice2cost_column_0_10_choice) mod 1024;
-      slice2cost_column_0_11_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_3 / 1048576;
-      slice2cost_column_0_11_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_11 +
+      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 /
+        1048576;
+      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
         slice2cost_column_0_11_choice) mod 1024;
-      slice2cost_column_0_12_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_4 mod 1024;
-      slice2cost_column_0_12_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_12 +
+      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 mod
+        1024;
+      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
         slice2cost_column_0_12_choice) mod 1024;
-      slice2cost_column_0_13_choice := 0 when slice2cost_ready_tag_first_group else (slice2cost_ready_words_4 / 1024)
-        mod 1024;
-      slice2cost_column_0_13_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_13 +
+      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_4 /
+        1024) mod 1024;
+      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
         slice2cost_column_0_13_choice) mod 1024;
-      slice2cost_column_0_14_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_4 / 1048576;
-      slice2cost_column_0_14_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_14 +
+      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 /
+        1048576;
+      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
         slice2cost_column_0_14_choice) mod 1024;
-      slice2cost_column_0_15_choice := 0 when slice2cost_ready_tag_first_group else slice2cost_ready_words_5;
-      slice2cost_column_0_15_choice_2 := 0 when slice2cost_ready_tag_border_column else (slice2cost_change_0_15 +
+      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5;
+      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
         slice2cost_column_0_15_choice) mod 1024;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
@@ -3670,6 +3806,7 @@ begin
         0));
       slice2cost_pixels_cost_1_15 <= folded(slice2cost_pixels_first_1_15) + as_number((slice2cost_pixels_first_1_15 <
         0));
+      slice2cost_read_column <= slice1cost_read_column;
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
       slice2cost_change_0_2 <= slice2cost_pixels_cost_1_2 - slice2cost_pixels_cost_0_2;
@@ -3692,9 +3829,7 @@ begin
       slice2cost_ready_words_3 <= to_integer(slice2cost_read_words_3);
       slice2cost_ready_words_4 <= to_integer(slice2cost_read_words_4);
       slice2cost_ready_words_5 <= to_integer(slice2cost_read_words_5);
-      slice2cost_ready_tag_valid <= slice1cost_ready_tag_valid;
-      slice2cost_ready_tag_first_group <= slice1cost_ready_tag_first_group;
-      slice2cost_ready_tag_border_column <= slice1cost_ready_tag_border_column;
+      slice2cost_ready_column <= slice3cost_read_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
       slice2cost_column_0_2 <= slice2cost_column_0_2_choice_2;
@@ -3711,7 +3846,11 @@ begin
       slice2cost_column_0_13 <= slice2cost_column_0_13_choice_2;
       slice2cost_column_0_14 <= slice2cost_column_0_14_choice_2;
       slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
-      if slice2cost_ready_tag_valid then
+      if slice0cost_ready_tag_valid then
+        slice2cost_change_column <= slice2cost_read_column;
+      end if;
+      if slice0window_entering_tag_valid then
+        slice2cost_write_column <= slice1cost_write_column;
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 1024) + slice2cost_column_0_0_choice_2 +
           (slice2cost_column_0_2_choice_2 * 1048576);
         slice2cost_write_words_1 <= (slice2cost_column_0_4_choice_2 * 1024) + slice2cost_column_0_3_choice_2 +
@@ -3730,82 +3869,82 @@ begin
           (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0));
       else
         slice2window_change_0_0_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_1_choice := to_integer(slice2window_leaving_0(19 downto 10));
       else
         slice2window_change_0_1_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_2_choice := to_integer(slice2window_leaving_0(29 downto 20));
       else
         slice2window_change_0_2_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_3_choice := to_integer(slice2window_leaving_1(9 downto 0));
       else
         slice2window_change_0_3_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_4_choice := to_integer(slice2window_leaving_1(19 downto 10));
       else
         slice2window_change_0_4_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_5_choice := to_integer(slice2window_leaving_1(29 downto 20));
       else
         slice2window_change_0_5_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_6_choice := to_integer(slice2window_leaving_2(9 downto 0));
       else
         slice2window_change_0_6_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_7_choice := to_integer(slice2window_leaving_2(19 downto 10));
       else
         slice2window_change_0_7_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_8_choice := to_integer(slice2window_leaving_2(29 downto 20));
       else
         slice2window_change_0_8_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_9_choice := to_integer(slice2window_leaving_3(9 downto 0));
       else
         slice2window_change_0_9_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_10_choice := to_integer(slice2window_leaving_3(19 downto 10));
       else
         slice2window_change_0_10_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_11_choice := to_integer(slice2window_leaving_3(29 downto 20));
       else
         slice2window_change_0_11_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_12_choice := to_integer(slice2window_leaving_4(9 downto 0));
       else
         slice2window_change_0_12_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_13_choice := to_integer(slice2window_leaving_4(19 downto 10));
       else
         slice2window_change_0_13_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_14_choice := to_integer(slice2window_leaving_4(29 downto 20));
       else
         slice2window_change_0_14_choice := 0;
       end if;
-      if slice2window_entering_tag_leaves_window then
+      if slice1window_change_tag_leaves_window then
         slice2window_change_0_15_choice := to_integer(slice2window_leaving_5);
       else
         slice2window_change_0_15_choice := 0;
@@ -3826,7 +3965,6 @@ begin
       slice2window_entering_0_13 <= slice2cost_column_0_13;
       slice2window_entering_0_14 <= slice2cost_column_0_14;
       slice2window_entering_0_15 <= slice2cost_column_0_15;
-      slice2window_entering_tag_leaves_window <= slice1window_entering_tag_leaves_window;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
       slice2window_change_0_2 <= slice2window_entering_0_2 - slice2window_change_0_2_choice;
@@ -3843,8 +3981,10 @@ begin
       slice2window_change_0_13 <= slice2window_entering_0_13 - slice2window_change_0_13_choice;
       slice2window_change_0_14 <= slice2window_entering_0_14 - slice2window_change_0_14_choice;
       slice2window_change_0_15 <= slice2window_entering_0_15 - slice2window_change_0_15_choice;
-      slice2window_change_tag_valid <= slice1window_change_tag_valid;
       slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
+      slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
+      slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
+      slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       slice2window_sum_0_0_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_1;
       slice2window_sum_0_2_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_2;
@@ -3861,7 +4001,7 @@ begin
       slice2window_sum_0_13_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_13;
       slice2window_sum_0_14_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_14;
       slice2window_sum_0_15_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_15;
-      if slice2window_change_tag_valid then
+      if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 16384;
@@ -3879,7 +4019,11 @@ begin
         slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 16384;
         slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 16384;
       end if;
+      if slice0winner2_tag_valid then
+        slice2window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_1;
+      end if;
       -- slice2winner1
+      slice2winner1_best_index_0_0_is_not_less := (slice2window_sum_0_0 - slice2window_sum_0_1) >= 0;
       slice2winner1_best_index_0_1_is_less := (slice2window_sum_0_2 - slice2window_sum_0_3) < 0;
       slice2winner1_best_index_0_2_is_less := (slice2window_sum_0_4 - slice2window_sum_0_5) < 0;
       slice2winner1_best_index_0_3_is_less := (slice2window_sum_0_6 - slice2window_sum_0_7) < 0;
@@ -3887,7 +4031,22 @@ begin
       slice2winner1_best_index_0_5_is_less := (slice2window_sum_0_10 - slice2window_sum_0_11) < 0;
       slice2winner1_best_index_0_6_is_less := (slice2window_sum_0_12 - slice2window_sum_0_13) < 0;
       slice2winner1_best_index_0_7_is_less := (slice2window_sum_0_14 - slice2window_sum_0_15) < 0;
-      slice2winner1_best_below_0_0_is_not_less := (slice2window_sum_0_0 - slice2window_sum_0_1) >= 0;
+      slice2winner1_held_0_0 <= slice2window_sum_0_0;
+      slice2winner1_held_0_1 <= slice2window_sum_0_1;
+      slice2winner1_held_0_2 <= slice2window_sum_0_2;
+      slice2winner1_held_0_3 <= slice2window_sum_0_3;
+      slice2winner1_held_0_4 <= slice2window_sum_0_4;
+      slice2winner1_held_0_5 <= slice2window_sum_0_5;
+      slice2winner1_held_0_6 <= slice2window_sum_0_6;
+      slice2winner1_held_0_7 <= slice2window_sum_0_7;
+      slice2winner1_held_0_8 <= slice2window_sum_0_8;
+      slice2winner1_held_0_9 <= slice2window_sum_0_9;
+      slice2winner1_held_0_10 <= slice2window_sum_0_10;
+      slice2winner1_held_0_11 <= slice2window_sum_0_11;
+      slice2winner1_held_0_12 <= slice2window_sum_0_12;
+      slice2winner1_held_0_13 <= slice2window_sum_0_13;
+      slice2winner1_held_0_14 <= slice2window_sum_0_14;
+      slice2winner1_held_0_15 <= slice2window_sum_0_15;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
         slice2window_sum_0_0;
       slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when (slice2window_sum_0_3 - slice2window_sum_0_2) < 0 else
@@ -3904,6 +4063,7 @@ begin
         else slice2window_sum_0_12;
       slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when (slice2window_sum_0_15 - slice2window_sum_0_14) < 0
         else slice2window_sum_0_14;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_index_0_0_is_not_less;
       slice2winner1_best_index_0_1 <= 2 when slice2winner1_best_index_0_1_is_less else 3;
       slice2winner1_best_index_0_2 <= 4 when slice2winner1_best_index_0_2_is_less else 5;
       slice2winner1_best_index_0_3 <= 6 when slice2winner1_best_index_0_3_is_less else 7;
@@ -3911,7 +4071,7 @@ begin
       slice2winner1_best_index_0_5 <= 10 when slice2winner1_best_index_0_5_is_less else 11;
       slice2winner1_best_index_0_6 <= 12 when slice2winner1_best_index_0_6_is_less else 13;
       slice2winner1_best_index_0_7 <= 14 when slice2winner1_best_index_0_7_is_less else 15;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_below_0_0_is_not_less else 0;
+      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_index_0_0_is_not_less else 0;
       slice2winner1_best_below_0_1 <= 0 when slice2winner1_best_index_0_1_is_less else slice2window_sum_0_2;
       slice2winner1_best_below_0_2 <= 0 when slice2winner1_best_index_0_2_is_less else slice2window_sum_0_4;
       slice2winner1_best_below_0_3 <= 0 when slice2winner1_best_index_0_3_is_less else slice2window_sum_0_6;
@@ -3919,7 +4079,7 @@ begin
       slice2winner1_best_below_0_5 <= 0 when slice2winner1_best_index_0_5_is_less else slice2window_sum_0_10;
       slice2winner1_best_below_0_6 <= 0 when slice2winner1_best_index_0_6_is_less else slice2window_sum_0_12;
       slice2winner1_best_below_0_7 <= 0 when slice2winner1_best_index_0_7_is_less else slice2window_sum_0_14;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_below_0_0_is_not_less else slice2window_sum_0_1;
+      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_index_0_0_is_not_less else slice2window_sum_0_1;
       slice2winner1_best_above_0_1 <= slice2window_sum_0_3 when slice2winner1_best_index_0_1_is_less else 0;
       slice2winner1_best_above_0_2 <= slice2window_sum_0_5 when slice2winner1_best_index_0_2_is_less else 0;
       slice2winner1_best_above_0_3 <= slice2window_sum_0_7 when slice2winner1_best_index_0_3_is_less else 0;
@@ -3927,22 +4087,6 @@ begin
       slice2winner1_best_above_0_5 <= slice2window_sum_0_11 when slice2winner1_best_index_0_5_is_less else 0;
       slice2winner1_best_above_0_6 <= slice2window_sum_0_13 when slice2winner1_best_index_0_6_is_less else 0;
       slice2winner1_best_above_0_7 <= slice2window_sum_0_15 when slice2winner1_best_index_0_7_is_less else 0;
-      slice2winner1_best_first_0_0 <= slice2window_sum_0_0;
-      slice2winner1_best_first_0_1 <= slice2window_sum_0_2;
-      slice2winner1_best_first_0_2 <= slice2window_sum_0_4;
-      slice2winner1_best_first_0_3 <= slice2window_sum_0_6;
-      slice2winner1_best_first_0_4 <= slice2window_sum_0_8;
-      slice2winner1_best_first_0_5 <= slice2window_sum_0_10;
-      slice2winner1_best_first_0_6 <= slice2window_sum_0_12;
-      slice2winner1_best_first_0_7 <= slice2window_sum_0_14;
-      slice2winner1_best_last_0_0 <= slice2window_sum_0_1;
-      slice2winner1_best_last_0_1 <= slice2window_sum_0_3;
-      slice2winner1_best_last_0_2 <= slice2window_sum_0_5;
-      slice2winner1_best_last_0_3 <= slice2window_sum_0_7;
-      slice2winner1_best_last_0_4 <= slice2window_sum_0_9;
-      slice2winner1_best_last_0_5 <= slice2window_sum_0_11;
-      slice2winner1_best_last_0_6 <= slice2window_sum_0_13;
-      slice2winner1_best_last_0_7 <= slice2window_sum_0_15;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_late_cost_0_1 <= slice2winner1_best_cost_0_1;
       slice2winner1_best_late_cost_0_2 <= slice2winner1_best_cost_0_2;
@@ -3951,44 +4095,40 @@ begin
       slice2winner1_best_late_cost_0_5 <= slice2winner1_best_cost_0_5;
       slice2winner1_best_late_cost_0_6 <= slice2winner1_best_cost_0_6;
       slice2winner1_best_late_cost_0_7 <= slice2winner1_best_cost_0_7;
-      slice2winner1_best_but_first_0_0 <= slice2winner1_best_last_0_0;
-      slice2winner1_best_but_first_0_1 <= slice2winner1_best_last_0_1;
-      slice2winner1_best_but_first_0_2 <= slice2winner1_best_last_0_2;
-      slice2winner1_best_but_first_0_3 <= slice2winner1_best_last_0_3;
-      slice2winner1_best_but_first_0_4 <= slice2winner1_best_last_0_4;
-      slice2winner1_best_but_first_0_5 <= slice2winner1_best_last_0_5;
-      slice2winner1_best_but_first_0_6 <= slice2winner1_best_last_0_6;
-      slice2winner1_best_but_first_0_7 <= slice2winner1_best_last_0_7;
-      slice2winner1_best_but_last_0_0 <= slice2winner1_best_first_0_0;
-      slice2winner1_best_but_last_0_1 <= slice2winner1_best_first_0_1;
-      slice2winner1_best_but_last_0_2 <= slice2winner1_best_first_0_2;
-      slice2winner1_best_but_last_0_3 <= slice2winner1_best_first_0_3;
-      slice2winner1_best_but_last_0_4 <= slice2winner1_best_first_0_4;
-      slice2winner1_best_but_last_0_5 <= slice2winner1_best_first_0_5;
-      slice2winner1_best_but_last_0_6 <= slice2winner1_best_first_0_6;
-      slice2winner1_best_but_last_0_7 <= slice2winner1_best_first_0_7;
+      slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
+      slice2winner1_best_but_first_0_1 <= slice2winner1_held_0_3;
+      slice2winner1_best_but_first_0_2 <= slice2winner1_held_0_5;
+      slice2winner1_best_but_first_0_3 <= slice2winner1_held_0_7;
+      slice2winner1_best_but_first_0_4 <= slice2winner1_held_0_9;
+      slice2winner1_best_but_first_0_5 <= slice2winner1_held_0_11;
+      slice2winner1_best_but_first_0_6 <= slice2winner1_held_0_13;
+      slice2winner1_best_but_first_0_7 <= slice2winner1_held_0_15;
+      slice2winner1_best_but_last_0_0 <= slice2winner1_held_0_0;
+      slice2winner1_best_but_last_0_1 <= slice2winner1_held_0_2;
+      slice2winner1_best_but_last_0_2 <= slice2winner1_held_0_4;
+      slice2winner1_best_but_last_0_3 <= slice2winner1_held_0_6;
+      slice2winner1_best_but_last_0_4 <= slice2winner1_held_0_8;
+      slice2winner1_best_but_last_0_5 <= slice2winner1_held_0_10;
+      slice2winner1_best_but_last_0_6 <= slice2winner1_held_0_12;
+      slice2winner1_best_but_last_0_7 <= slice2winner1_held_0_14;
       -- slice2winner2
       slice2winner2_best_index_0_0_is_not_less := (slice2winner1_best_cost_0_0 - slice2winner1_best_cost_0_1) >= 0;
       slice2winner2_best_index_0_1_is_not_less := (slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) >= 0;
       slice2winner2_best_index_0_2_is_not_less := (slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) >= 0;
       slice2winner2_best_index_0_3_is_not_less := (slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) >= 0;
-      slice2winner2_best_below_0_0_choice := slice2winner1_best_last_0_0 when other_19 else
-        slice2winner1_best_below_0_1;
-      slice2winner2_best_below_0_1_choice := slice2winner1_best_last_0_2 when other_20 else
-        slice2winner1_best_below_0_3;
-      slice2winner2_best_below_0_2_choice := slice2winner1_best_last_0_4 when other_21 else
-        slice2winner1_best_below_0_5;
-      slice2winner2_best_below_0_3_choice := slice2winner1_best_last_0_6 when other_22 else
-        slice2winner1_best_below_0_7;
-      slice2winner2_best_above_0_0_choice := slice2winner1_best_first_0_1 when other_18 else
+      slice2winner2_best_below_0_0_choice := slice2winner1_held_0_1 when other_4 else slice2winner1_best_below_0_1;
+      slice2winner2_best_below_0_1_choice := slice2winner1_held_0_5 when other_5 else slice2winner1_best_below_0_3;
+      slice2winner2_best_below_0_2_choice := slice2winner1_held_0_9 when other_6 else slice2winner1_best_below_0_5;
+      slice2winner2_best_below_0_3_choice := slice2winner1_held_0_13 when other_7 else slice2winner1_best_below_0_7;
+      slice2winner2_best_above_0_0_choice := slice2winner1_held_0_2 when slice2winner1_best_index_0_0 else
         slice2winner1_best_above_0_0;
-      slice2winner2_best_above_0_1_choice := slice2winner1_best_first_0_3 when ((slice2winner1_best_index_0_2 / 4) = 1)
-        and ((slice2winner1_best_index_0_2 mod 2) = 1) else slice2winner1_best_above_0_2;
-      slice2winner2_best_above_0_2_choice := slice2winner1_best_first_0_5 when ((slice2winner1_best_index_0_4 / 8) = 1)
-        and ((slice2winner1_best_index_0_4 mod 2) = 1) else slice2winner1_best_above_0_4;
+      slice2winner2_best_above_0_1_choice := slice2winner1_held_0_6 when ((slice2winner1_best_index_0_2 / 4) = 1) and
+        ((slice2winner1_best_index_0_2 mod 2) = 1) else slice2winner1_best_above_0_2;
+      slice2winner2_best_above_0_2_choice := slice2winner1_held_0_10 when ((slice2winner1_best_index_0_4 / 8) = 1) and
+        ((slice2winner1_best_index_0_4 mod 2) = 1) else slice2winner1_best_above_0_4;
       slice2winner2_best_above_0_3_value := ((slice2winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice2winner2_best_above_0_3_choice := slice2winner1_best_first_0_7 when ((slice2winner1_best_index_0_6 / 8) = 1)
-        and slice2winner2_best_above_0_3_value and ((slice2winner1_best_index_0_6 mod 2) = 1) else
+      slice2winner2_best_above_0_3_choice := slice2winner1_held_0_14 when ((slice2winner1_best_index_0_6 / 8) = 1) and
+        slice2winner2_best_above_0_3_value and ((slice2winner1_best_index_0_6 mod 2) = 1) else
         slice2winner1_best_above_0_6;
       slice2winner2_best_second_0_0_choice := 16383 when slice2winner2_best_place_0_0 else
         slice2winner1_best_late_cost_0_1;
@@ -4031,7 +4171,7 @@ begin
       slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when (slice2winner1_best_cost_0_7 -
         slice2winner1_best_cost_0_6) < 0 else slice2winner1_best_cost_0_6;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_index_0_0_is_not_less else
-        as_number(other_18);
+        as_number(slice2winner1_best_index_0_0);
       slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_index_0_1_is_not_less else
         slice2winner1_best_index_0_2;
       slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_index_0_2_is_not_less else
@@ -4054,23 +4194,24 @@ begin
         slice2winner2_best_above_0_2_choice;
       slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7 when slice2winner2_best_index_0_3_is_not_less else
         slice2winner2_best_above_0_3_choice;
-      slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
-      slice2winner2_best_first_0_1 <= slice2winner1_best_first_0_2;
-      slice2winner2_best_first_0_2 <= slice2winner1_best_first_0_4;
-      slice2winner2_best_first_0_3 <= slice2winner1_best_first_0_6;
-      slice2winner2_best_last_0_0 <= slice2winner1_best_last_0_1;
-      slice2winner2_best_last_0_1 <= slice2winner1_best_last_0_3;
-      slice2winner2_best_last_0_2 <= slice2winner1_best_last_0_5;
-      slice2winner2_best_last_0_3 <= slice2winner1_best_last_0_7;
+      slice2winner2_best_first_0_0 <= slice2winner1_held_0_0;
+      slice2winner2_best_first_0_1 <= slice2winner1_held_0_4;
+      slice2winner2_best_first_0_2 <= slice2winner1_held_0_8;
+      slice2winner2_best_first_0_3 <= slice2winner1_held_0_12;
+      slice2winner2_best_last_0_0 <= slice2winner1_held_0_3;
+      slice2winner2_best_last_0_1 <= slice2winner1_held_0_7;
+      slice2winner2_best_last_0_2 <= slice2winner1_held_0_11;
+      slice2winner2_best_last_0_3 <= slice2winner1_held_0_15;
       slice2winner2_best_place_0_0 <= slice2winner2_best_index_0_0_is_not_less;
       slice2winner2_best_place_0_1 <= slice2winner2_best_index_0_1_is_not_less;
       slice2winner2_best_place_0_2 <= slice2winner2_best_index_0_2_is_not_less;
       slice2winner2_best_place_0_3 <= slice2winner2_best_index_0_3_is_not_less;
-      slice2winner2_best_at_start_0_0 <= other_19 and slice2winner2_best_index_0_0_is_not_less;
-      slice2winner2_best_at_start_0_1 <= other_20 and slice2winner2_best_index_0_1_is_not_less;
-      slice2winner2_best_at_start_0_2 <= other_21 and slice2winner2_best_index_0_2_is_not_less;
-      slice2winner2_best_at_start_0_3 <= other_22 and slice2winner2_best_index_0_3_is_not_less;
-      slice2winner2_best_at_end_0_0 <= other_18 and ((slice2winner1_best_cost_0_0 - slice2winner1_best_cost_0_1) < 0);
+      slice2winner2_best_at_start_0_0 <= other_4 and slice2winner2_best_index_0_0_is_not_less;
+      slice2winner2_best_at_start_0_1 <= other_5 and slice2winner2_best_index_0_1_is_not_less;
+      slice2winner2_best_at_start_0_2 <= other_6 and slice2winner2_best_index_0_2_is_not_less;
+      slice2winner2_best_at_start_0_3 <= other_7 and slice2winner2_best_index_0_3_is_not_less;
+      slice2winner2_best_at_end_0_0 <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0_0 -
+        slice2winner1_best_cost_0_1) < 0);
       slice2winner2_best_at_end_0_1 <= ((slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) < 0) and
         ((slice2winner1_best_index_0_2 / 4) = 1) and ((slice2winner1_best_index_0_2 mod 2) = 1);
       slice2winner2_best_at_end_0_2 <= ((slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) < 0) and
@@ -4264,8 +4405,12 @@ begin
         slice2_best_second_0_0_choice_6) < 0 else slice2_best_second_0_0_choice_6;
       slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0 when (slice2winner4_best_but_last_0_0 -
         slice1_best_late_cost_0_0) < 0 else slice1_best_late_cost_0_0;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- slice3shift
-      if other_6 then
+      if slice0cost_pixels_tag_valid then
         slice3shift_search_0_0 <= slice2shift_search_out_0;
         slice3shift_search_0_1 <= slice3shift_search_0_0;
         slice3shift_search_0_2 <= slice3shift_search_0_1;
@@ -4302,58 +4447,64 @@ begin
       slice3shift_reference_0 <= slice2shift_reference_0;
       slice3shift_reference_1 <= slice2shift_reference_1;
       -- slice3cost
-      slice3cost_column_0_0_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_0 mod 1024;
-      slice3cost_column_0_0_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_0 +
+      slice3cost_column_0_0_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 mod 1024;
+      slice3cost_column_0_0_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_0 +
         slice3cost_column_0_0_choice) mod 1024;
-      slice3cost_column_0_1_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_0 / 1024)
+      slice3cost_column_0_1_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_0 / 1024)
         mod 1024;
-      slice3cost_column_0_1_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_1 +
+      slice3cost_column_0_1_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_1 +
         slice3cost_column_0_1_choice) mod 1024;
-      slice3cost_column_0_2_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_0 / 1048576;
-      slice3cost_column_0_2_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_2 +
+      slice3cost_column_0_2_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 /
+        1048576;
+      slice3cost_column_0_2_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_2 +
         slice3cost_column_0_2_choice) mod 1024;
-      slice3cost_column_0_3_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_1 mod 1024;
-      slice3cost_column_0_3_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_3 +
+      slice3cost_column_0_3_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 mod 1024;
+      slice3cost_column_0_3_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_3 +
         slice3cost_column_0_3_choice) mod 1024;
-      slice3cost_column_0_4_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_1 / 1024)
+      slice3cost_column_0_4_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_1 / 1024)
         mod 1024;
-      slice3cost_column_0_4_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_4 +
+      slice3cost_column_0_4_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_4 +
         slice3cost_column_0_4_choice) mod 1024;
-      slice3cost_column_0_5_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_1 / 1048576;
-      slice3cost_column_0_5_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_5 +
+      slice3cost_column_0_5_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 /
+        1048576;
+      slice3cost_column_0_5_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_5 +
         slice3cost_column_0_5_choice) mod 1024;
-      slice3cost_column_0_6_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_2 mod 1024;
-      slice3cost_column_0_6_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_6 +
+      slice3cost_column_0_6_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 mod 1024;
+      slice3cost_column_0_6_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_6 +
         slice3cost_column_0_6_choice) mod 1024;
-      slice3cost_column_0_7_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_2 / 1024)
+      slice3cost_column_0_7_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_2 / 1024)
         mod 1024;
-      slice3cost_column_0_7_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_7 +
+      slice3cost_column_0_7_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_7 +
         slice3cost_column_0_7_choice) mod 1024;
-      slice3cost_column_0_8_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_2 / 1048576;
-      slice3cost_column_0_8_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_8 +
+      slice3cost_column_0_8_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 /
+        1048576;
+      slice3cost_column_0_8_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_8 +
         slice3cost_column_0_8_choice) mod 1024;
-      slice3cost_column_0_9_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_3 mod 1024;
-      slice3cost_column_0_9_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_9 +
+      slice3cost_column_0_9_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 mod 1024;
+      slice3cost_column_0_9_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_9 +
         slice3cost_column_0_9_choice) mod 1024;
-      slice3cost_column_0_10_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_3 / 1024)
-        mod 1024;
-      slice3cost_column_0_10_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_10 +
+      slice3cost_column_0_10_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_3 /
+        1024) mod 1024;
+      slice3cost_column_0_10_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_10 +
         slice3cost_column_0_10_choice) mod 1024;
-      slice3cost_column_0_11_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_3 / 1048576;
-      slice3cost_column_0_11_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_11 +
+      slice3cost_column_0_11_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 /
+        1048576;
+      slice3cost_column_0_11_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_11 +
         slice3cost_column_0_11_choice) mod 1024;
-      slice3cost_column_0_12_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_4 mod 1024;
-      slice3cost_column_0_12_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_12 +
+      slice3cost_column_0_12_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 mod
+        1024;
+      slice3cost_column_0_12_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_12 +
         slice3cost_column_0_12_choice) mod 1024;
-      slice3cost_column_0_13_choice := 0 when slice3cost_ready_tag_first_group else (slice3cost_ready_words_4 / 1024)
-        mod 1024;
-      slice3cost_column_0_13_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_13 +
+      slice3cost_column_0_13_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_4 /
+        1024) mod 1024;
+      slice3cost_column_0_13_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_13 +
         slice3cost_column_0_13_choice) mod 1024;
-      slice3cost_column_0_14_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_4 / 1048576;
-      slice3cost_column_0_14_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_14 +
+      slice3cost_column_0_14_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 /
+        1048576;
+      slice3cost_column_0_14_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_14 +
         slice3cost_column_0_14_choice) mod 1024;
-      slice3cost_column_0_15_choice := 0 when slice3cost_ready_tag_first_group else slice3cost_ready_words_5;
-      slice3cost_column_0_15_choice_2 := 0 when slice3cost_ready_tag_border_column else (slice3cost_change_0_15 +
+      slice3cost_column_0_15_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5;
+      slice3cost_column_0_15_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_15 +
         slice3cost_column_0_15_choice) mod 1024;
       slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
@@ -4453,9 +4604,7 @@ begin
       slice3cost_ready_words_3 <= to_integer(slice3cost_read_words_3);
       slice3cost_ready_words_4 <= to_integer(slice3cost_read_words_4);
       slice3cost_ready_words_5 <= to_integer(slice3cost_read_words_5);
-      slice3cost_ready_column <= other_120;
-      slice3cost_ready_tag_first_group <= slice2cost_ready_tag_first_group;
-      slice3cost_ready_tag_border_column <= slice2cost_ready_tag_border_column;
+      slice3cost_ready_column <= slice2cost_ready_column;
       slice3cost_column_0_0 <= slice3cost_column_0_0_choice_2;
       slice3cost_column_0_1 <= slice3cost_column_0_1_choice_2;
       slice3cost_column_0_2 <= slice3cost_column_0_2_choice_2;
@@ -4472,6 +4621,12 @@ begin
       slice3cost_column_0_13 <= slice3cost_column_0_13_choice_2;
       slice3cost_column_0_14 <= slice3cost_column_0_14_choice_2;
       slice3cost_column_0_15 <= slice3cost_column_0_15_choice_2;
+      if slice0cost_ready_tag_valid then
+        slice3cost_read_column <= 0 when slice0cost_ready_tag_row_start else (slice3cost_read_column + 1) mod 512;
+      end if;
+      if slice0cost_tag_valid then
+        slice3cost_change_column <= slice1cost_ready_column;
+      end if;
       if slice0window_change_tag_valid then
         slice3cost_write_column <= slice3cost_ready_column;
         slice3cost_write_words_0 <= (slice3cost_column_0_1_choice_2 * 1024) + slice3cost_column_0_0_choice_2 +
@@ -4487,87 +4642,87 @@ begin
         slice3cost_write_words_5 <= slice3cost_column_0_15_choice_2;
       end if;
       -- slice3window
-      if slice1window_change_tag_valid then
+      if slice0window_tag_valid then
         slice3window_ring_read_address <= 0 when slice3window_ring_read_address = 15 else
           (slice3window_ring_read_address + 1) mod 16;
         slice3window_ring_write_address <= slice3window_ring_read_address;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(9 downto 0));
       else
         slice3window_change_0_0_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_1_choice := to_integer(slice3window_leaving_0(19 downto 10));
       else
         slice3window_change_0_1_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_2_choice := to_integer(slice3window_leaving_0(29 downto 20));
       else
         slice3window_change_0_2_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_3_choice := to_integer(slice3window_leaving_1(9 downto 0));
       else
         slice3window_change_0_3_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_4_choice := to_integer(slice3window_leaving_1(19 downto 10));
       else
         slice3window_change_0_4_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_5_choice := to_integer(slice3window_leaving_1(29 downto 20));
       else
         slice3window_change_0_5_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_6_choice := to_integer(slice3window_leaving_2(9 downto 0));
       else
         slice3window_change_0_6_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_7_choice := to_integer(slice3window_leaving_2(19 downto 10));
       else
         slice3window_change_0_7_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_8_choice := to_integer(slice3window_leaving_2(29 downto 20));
       else
         slice3window_change_0_8_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_9_choice := to_integer(slice3window_leaving_3(9 downto 0));
       else
         slice3window_change_0_9_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_10_choice := to_integer(slice3window_leaving_3(19 downto 10));
       else
         slice3window_change_0_10_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_11_choice := to_integer(slice3window_leaving_3(29 downto 20));
       else
         slice3window_change_0_11_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_12_choice := to_integer(slice3window_leaving_4(9 downto 0));
       else
         slice3window_change_0_12_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_13_choice := to_integer(slice3window_leaving_4(19 downto 10));
       else
         slice3window_change_0_13_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_14_choice := to_integer(slice3window_leaving_4(29 downto 20));
       else
         slice3window_change_0_14_choice := 0;
       end if;
-      if slice3window_entering_tag_leaves_window then
+      if slice2window_change_tag_leaves_window then
         slice3window_change_0_15_choice := to_integer(slice3window_leaving_5);
       else
         slice3window_change_0_15_choice := 0;
@@ -4588,7 +4743,6 @@ begin
       slice3window_entering_0_13 <= slice3cost_column_0_13;
       slice3window_entering_0_14 <= slice3cost_column_0_14;
       slice3window_entering_0_15 <= slice3cost_column_0_15;
-      slice3window_entering_tag_leaves_window <= slice2window_entering_tag_leaves_window;
       slice3window_change_0_0 <= slice3window_entering_0_0 - slice3window_change_0_0_choice;
       slice3window_change_0_1 <= slice3window_entering_0_1 - slice3window_change_0_1_choice;
       slice3window_change_0_2 <= slice3window_entering_0_2 - slice3window_change_0_2_choice;
@@ -4605,10 +4759,7 @@ begin
       slice3window_change_0_13 <= slice3window_entering_0_13 - slice3window_change_0_13_choice;
       slice3window_change_0_14 <= slice3window_entering_0_14 - slice3window_change_0_14_choice;
       slice3window_change_0_15 <= slice3window_entering_0_15 - slice3window_change_0_15_choice;
-      slice3window_change_tag_valid <= slice2window_change_tag_valid;
       slice3window_change_tag_first_cost <= slice2window_change_tag_first_cost;
-      slice3window_change_tag_output_column <= other_73;
-      slice3window_change_tag_end_of_line <= other_71;
       slice3window_sum_0_0_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_0;
       slice3window_sum_0_1_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_1;
       slice3window_sum_0_2_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_2;
@@ -4625,7 +4776,7 @@ begin
       slice3window_sum_0_13_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_13;
       slice3window_sum_0_14_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_14;
       slice3window_sum_0_15_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_15;
-      if slice3window_change_tag_valid then
+      if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 16384;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 16384;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 16384;
@@ -4642,28 +4793,23 @@ begin
         slice3window_sum_0_13 <= (slice3window_sum_0_13_choice + slice3window_change_0_13) mod 16384;
         slice3window_sum_0_14 <= (slice3window_sum_0_14_choice + slice3window_change_0_14) mod 16384;
         slice3window_sum_0_15 <= (slice3window_sum_0_15_choice + slice3window_change_0_15) mod 16384;
-        slice3window_centre_output_column_0 <= slice3window_change_tag_output_column;
+        slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
         slice3window_centre_output_column_1 <= slice3window_centre_output_column_0;
         slice3window_centre_output_column_2 <= slice3window_centre_output_column_1;
         slice3window_centre_output_column_3 <= slice3window_centre_output_column_2;
         slice3window_centre_output_column_4 <= slice3window_centre_output_column_3;
         slice3window_centre_output_column_5 <= slice3window_centre_output_column_4;
-        slice3window_centre_output_column_6 <= slice3window_centre_output_column_5;
-        slice3window_centre_start_of_frame_0 <= other_75;
-        slice3window_centre_start_of_frame_1 <= slice3window_centre_start_of_frame_0;
-        slice3window_centre_start_of_frame_2 <= slice3window_centre_start_of_frame_1;
-        slice3window_centre_start_of_frame_4 <= other_118;
-        slice3window_centre_start_of_frame_5 <= slice3window_centre_start_of_frame_4;
-        slice3window_centre_start_of_frame_6 <= slice3window_centre_start_of_frame_5;
-        slice3window_centre_end_of_line_0 <= slice3window_change_tag_end_of_line;
+        slice3window_centre_start_of_frame_1 <= slice2window_centre_start_of_frame_1;
+        slice3window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_5;
+        slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
         slice3window_centre_end_of_line_1 <= slice3window_centre_end_of_line_0;
         slice3window_centre_end_of_line_2 <= slice3window_centre_end_of_line_1;
         slice3window_centre_end_of_line_3 <= slice3window_centre_end_of_line_2;
         slice3window_centre_end_of_line_4 <= slice3window_centre_end_of_line_3;
         slice3window_centre_end_of_line_5 <= slice3window_centre_end_of_line_4;
-        slice3window_centre_end_of_line_6 <= slice3window_centre_end_of_line_5;
       end if;
       -- slice3winner1
+      slice3winner1_best_index_0_0_is_not_less := (slice3window_sum_0_0 - slice3window_sum_0_1) >= 0;
       slice3winner1_best_index_0_1_is_less := (slice3window_sum_0_2 - slice3window_sum_0_3) < 0;
       slice3winner1_best_index_0_2_is_less := (slice3window_sum_0_4 - slice3window_sum_0_5) < 0;
       slice3winner1_best_index_0_3_is_less := (slice3window_sum_0_6 - slice3window_sum_0_7) < 0;
@@ -4671,7 +4817,22 @@ begin
       slice3winner1_best_index_0_5_is_less := (slice3window_sum_0_10 - slice3window_sum_0_11) < 0;
       slice3winner1_best_index_0_6_is_less := (slice3window_sum_0_12 - slice3window_sum_0_13) < 0;
       slice3winner1_best_index_0_7_is_less := (slice3window_sum_0_14 - slice3window_sum_0_15) < 0;
-      slice3winner1_best_below_0_0_is_not_less := (slice3window_sum_0_0 - slice3window_sum_0_1) >= 0;
+      slice3winner1_held_0_0 <= slice3window_sum_0_0;
+      slice3winner1_held_0_1 <= slice3window_sum_0_1;
+      slice3winner1_held_0_2 <= slice3window_sum_0_2;
+      slice3winner1_held_0_3 <= slice3window_sum_0_3;
+      slice3winner1_held_0_4 <= slice3window_sum_0_4;
+      slice3winner1_held_0_5 <= slice3window_sum_0_5;
+      slice3winner1_held_0_6 <= slice3window_sum_0_6;
+      slice3winner1_held_0_7 <= slice3window_sum_0_7;
+      slice3winner1_held_0_8 <= slice3window_sum_0_8;
+      slice3winner1_held_0_9 <= slice3window_sum_0_9;
+      slice3winner1_held_0_10 <= slice3window_sum_0_10;
+      slice3winner1_held_0_11 <= slice3window_sum_0_11;
+      slice3winner1_held_0_12 <= slice3window_sum_0_12;
+      slice3winner1_held_0_13 <= slice3window_sum_0_13;
+      slice3winner1_held_0_14 <= slice3window_sum_0_14;
+      slice3winner1_held_0_15 <= slice3window_sum_0_15;
       slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when (slice3window_sum_0_1 - slice3window_sum_0_0) < 0 else
         slice3window_sum_0_0;
       slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when (slice3window_sum_0_3 - slice3window_sum_0_2) < 0 else
@@ -4688,6 +4849,7 @@ begin
         else slice3window_sum_0_12;
       slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when (slice3window_sum_0_15 - slice3window_sum_0_14) < 0
         else slice3window_sum_0_14;
+      slice3winner1_best_index_0_0 <= slice3winner1_best_index_0_0_is_not_less;
       slice3winner1_best_index_0_1 <= 2 when slice3winner1_best_index_0_1_is_less else 3;
       slice3winner1_best_index_0_2 <= 4 when slice3winner1_best_index_0_2_is_less else 5;
       slice3winner1_best_index_0_3 <= 6 when slice3winner1_best_index_0_3_is_less else 7;
@@ -4695,7 +4857,7 @@ begin
       slice3winner1_best_index_0_5 <= 10 when slice3winner1_best_index_0_5_is_less else 11;
       slice3winner1_best_index_0_6 <= 12 when slice3winner1_best_index_0_6_is_less else 13;
       slice3winner1_best_index_0_7 <= 14 when slice3winner1_best_index_0_7_is_less else 15;
-      slice3winner1_best_below_0_0 <= slice3window_sum_0_0 when slice3winner1_best_below_0_0_is_not_less else 0;
+      slice3winner1_best_below_0_0 <= slice3window_sum_0_0 when slice3winner1_best_index_0_0_is_not_less else 0;
       slice3winner1_best_below_0_1 <= 0 when slice3winner1_best_index_0_1_is_less else slice3window_sum_0_2;
       slice3winner1_best_below_0_2 <= 0 when slice3winner1_best_index_0_2_is_less else slice3window_sum_0_4;
       slice3winner1_best_below_0_3 <= 0 when slice3winner1_best_index_0_3_is_less else slice3window_sum_0_6;
@@ -4703,7 +4865,7 @@ begin
       slice3winner1_best_below_0_5 <= 0 when slice3winner1_best_index_0_5_is_less else slice3window_sum_0_10;
       slice3winner1_best_below_0_6 <= 0 when slice3winner1_best_index_0_6_is_less else slice3window_sum_0_12;
       slice3winner1_best_below_0_7 <= 0 when slice3winner1_best_index_0_7_is_less else slice3window_sum_0_14;
-      slice3winner1_best_above_0_0 <= 0 when slice3winner1_best_below_0_0_is_not_less else slice3window_sum_0_1;
+      slice3winner1_best_above_0_0 <= 0 when slice3winner1_best_index_0_0_is_not_less else slice3window_sum_0_1;
       slice3winner1_best_above_0_1 <= slice3window_sum_0_3 when slice3winner1_best_index_0_1_is_less else 0;
       slice3winner1_best_above_0_2 <= slice3window_sum_0_5 when slice3winner1_best_index_0_2_is_less else 0;
       slice3winner1_best_above_0_3 <= slice3window_sum_0_7 when slice3winner1_best_index_0_3_is_less else 0;
@@ -4711,21 +4873,6 @@ begin
       slice3winner1_best_above_0_5 <= slice3window_sum_0_11 when slice3winner1_best_index_0_5_is_less else 0;
       slice3winner1_best_above_0_6 <= slice3window_sum_0_13 when slice3winner1_best_index_0_6_is_less else 0;
       slice3winner1_best_above_0_7 <= slice3window_sum_0_15 when slice3winner1_best_index_0_7_is_less else 0;
-      slice3winner1_best_first_0_0 <= slice3window_sum_0_0;
-      slice3winner1_best_first_0_1 <= slice3window_sum_0_2;
-      slice3winner1_best_first_0_2 <= slice3window_sum_0_4;
-      slice3winner1_best_first_0_3 <= slice3window_sum_0_6;
-      slice3winner1_best_first_0_4 <= slice3window_sum_0_8;
-      slice3winner1_best_first_0_5 <= slice3window_sum_0_10;
-      slice3winner1_best_first_0_6 <= slice3window_sum_0_12;
-      slice3winner1_best_last_0_0 <= slice3window_sum_0_1;
-      slice3winner1_best_last_0_1 <= slice3window_sum_0_3;
-      slice3winner1_best_last_0_2 <= slice3window_sum_0_5;
-      slice3winner1_best_last_0_3 <= slice3window_sum_0_7;
-      slice3winner1_best_last_0_4 <= slice3window_sum_0_9;
-      slice3winner1_best_last_0_5 <= slice3window_sum_0_11;
-      slice3winner1_best_last_0_6 <= slice3window_sum_0_13;
-      slice3winner1_best_last_0_7 <= slice3window_sum_0_15;
       slice3winner1_best_late_cost_0_0 <= slice3winner1_best_cost_0_0;
       slice3winner1_best_late_cost_0_1 <= slice3winner1_best_cost_0_1;
       slice3winner1_best_late_cost_0_2 <= slice3winner1_best_cost_0_2;
@@ -4734,42 +4881,38 @@ begin
       slice3winner1_best_late_cost_0_5 <= slice3winner1_best_cost_0_5;
       slice3winner1_best_late_cost_0_6 <= slice3winner1_best_cost_0_6;
       slice3winner1_best_late_cost_0_7 <= slice3winner1_best_cost_0_7;
-      slice3winner1_best_but_first_0_0 <= slice3winner1_best_last_0_0;
-      slice3winner1_best_but_first_0_1 <= slice3winner1_best_last_0_1;
-      slice3winner1_best_but_first_0_2 <= slice3winner1_best_last_0_2;
-      slice3winner1_best_but_first_0_3 <= slice3winner1_best_last_0_3;
-      slice3winner1_best_but_first_0_4 <= slice3winner1_best_last_0_4;
-      slice3winner1_best_but_first_0_5 <= slice3winner1_best_last_0_5;
-      slice3winner1_best_but_first_0_6 <= slice3winner1_best_last_0_6;
-      slice3winner1_best_but_first_0_7 <= slice3winner1_best_last_0_7;
-      slice3winner1_best_but_last_0_0 <= slice3winner1_best_first_0_0;
-      slice3winner1_best_but_last_0_1 <= slice3winner1_best_first_0_1;
-      slice3winner1_best_but_last_0_2 <= slice3winner1_best_first_0_2;
-      slice3winner1_best_but_last_0_3 <= slice3winner1_best_first_0_3;
-      slice3winner1_best_but_last_0_4 <= slice3winner1_best_first_0_4;
-      slice3winner1_best_but_last_0_5 <= slice3winner1_best_first_0_5;
-      slice3winner1_best_but_last_0_6 <= slice3winner1_best_first_0_6;
+      slice3winner1_best_but_first_0_0 <= slice3winner1_held_0_1;
+      slice3winner1_best_but_first_0_1 <= slice3winner1_held_0_3;
+      slice3winner1_best_but_first_0_2 <= slice3winner1_held_0_5;
+      slice3winner1_best_but_first_0_3 <= slice3winner1_held_0_7;
+      slice3winner1_best_but_first_0_4 <= slice3winner1_held_0_9;
+      slice3winner1_best_but_first_0_5 <= slice3winner1_held_0_11;
+      slice3winner1_best_but_first_0_6 <= slice3winner1_held_0_13;
+      slice3winner1_best_but_first_0_7 <= slice3winner1_held_0_15;
+      slice3winner1_best_but_last_0_0 <= slice3winner1_held_0_0;
+      slice3winner1_best_but_last_0_1 <= slice3winner1_held_0_2;
+      slice3winner1_best_but_last_0_2 <= slice3winner1_held_0_4;
+      slice3winner1_best_but_last_0_3 <= slice3winner1_held_0_6;
+      slice3winner1_best_but_last_0_4 <= slice3winner1_held_0_8;
+      slice3winner1_best_but_last_0_5 <= slice3winner1_held_0_10;
+      slice3winner1_best_but_last_0_6 <= slice3winner1_held_0_12;
       -- slice3winner2
       slice3winner2_best_index_0_0_is_not_less := (slice3winner1_best_cost_0_0 - slice3winner1_best_cost_0_1) >= 0;
       slice3winner2_best_index_0_1_is_not_less := (slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) >= 0;
       slice3winner2_best_index_0_2_is_not_less := (slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) >= 0;
       slice3winner2_best_index_0_3_is_not_less := (slice3winner1_best_cost_0_6 - slice3winner1_best_cost_0_7) >= 0;
-      slice3winner2_best_below_0_0_choice := slice3winner1_best_last_0_0 when other_10 else
-        slice3winner1_best_below_0_1;
-      slice3winner2_best_below_0_1_choice := slice3winner1_best_last_0_2 when other_11 else
-        slice3winner1_best_below_0_3;
-      slice3winner2_best_below_0_2_choice := slice3winner1_best_last_0_4 when other_13 else
-        slice3winner1_best_below_0_5;
-      slice3winner2_best_below_0_3_choice := slice3winner1_best_last_0_6 when other_14 else
-        slice3winner1_best_below_0_7;
-      slice3winner2_best_above_0_0_choice := slice3winner1_best_first_0_1 when other_9 else
+      slice3winner2_best_below_0_0_choice := slice3winner1_held_0_1 when other_0 else slice3winner1_best_below_0_1;
+      slice3winner2_best_below_0_1_choice := slice3winner1_held_0_5 when other_1 else slice3winner1_best_below_0_3;
+      slice3winner2_best_below_0_2_choice := slice3winner1_held_0_9 when other_2 else slice3winner1_best_below_0_5;
+      slice3winner2_best_below_0_3_choice := slice3winner1_held_0_13 when other_3 else slice3winner1_best_below_0_7;
+      slice3winner2_best_above_0_0_choice := slice3winner1_held_0_2 when slice3winner1_best_index_0_0 else
         slice3winner1_best_above_0_0;
-      slice3winner2_best_above_0_1_choice := slice3winner1_best_first_0_3 when ((slice3winner1_best_index_0_2 / 4) = 1)
-        and ((slice3winner1_best_index_0_2 mod 2) = 1) else slice3winner1_best_above_0_2;
-      slice3winner2_best_above_0_2_choice := slice3winner1_best_first_0_5 when ((slice3winner1_best_index_0_4 / 8) = 1)
-        and ((slice3winner1_best_index_0_4 mod 2) = 1) else slice3winner1_best_above_0_4;
+      slice3winner2_best_above_0_1_choice := slice3winner1_held_0_6 when ((slice3winner1_best_index_0_2 / 4) = 1) and
+        ((slice3winner1_best_index_0_2 mod 2) = 1) else slice3winner1_best_above_0_2;
+      slice3winner2_best_above_0_2_choice := slice3winner1_held_0_10 when ((slice3winner1_best_index_0_4 / 8) = 1) and
+        ((slice3winner1_best_index_0_4 mod 2) = 1) else slice3winner1_best_above_0_4;
       slice3winner2_best_above_0_3_value := ((slice3winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice3winner2_best_above_0_3_choice := other_117 when ((slice3winner1_best_index_0_6 / 8) = 1) and
+      slice3winner2_best_above_0_3_choice := slice3winner1_held_0_14 when ((slice3winner1_best_index_0_6 / 8) = 1) and
         slice3winner2_best_above_0_3_value and ((slice3winner1_best_index_0_6 mod 2) = 1) else
         slice3winner1_best_above_0_6;
       slice3winner2_best_second_0_0_choice := 16383 when slice3winner2_best_place_0_0 else
@@ -4813,7 +4956,7 @@ begin
       slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when (slice3winner1_best_cost_0_7 -
         slice3winner1_best_cost_0_6) < 0 else slice3winner1_best_cost_0_6;
       slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_index_0_0_is_not_less else
-        as_number(other_9);
+        as_number(slice3winner1_best_index_0_0);
       slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_index_0_1_is_not_less else
         slice3winner1_best_index_0_2;
       slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_index_0_2_is_not_less else
@@ -4836,22 +4979,23 @@ begin
         slice3winner2_best_above_0_2_choice;
       slice3winner2_best_above_0_3 <= slice3winner1_best_above_0_7 when slice3winner2_best_index_0_3_is_not_less else
         slice3winner2_best_above_0_3_choice;
-      slice3winner2_best_first_0_0 <= slice3winner1_best_first_0_0;
-      slice3winner2_best_first_0_1 <= slice3winner1_best_first_0_2;
-      slice3winner2_best_first_0_2 <= slice3winner1_best_first_0_4;
-      slice3winner2_best_first_0_3 <= slice3winner1_best_first_0_6;
-      slice3winner2_best_last_0_0 <= slice3winner1_best_last_0_1;
-      slice3winner2_best_last_0_1 <= slice3winner1_best_last_0_3;
-      slice3winner2_best_last_0_2 <= slice3winner1_best_last_0_5;
+      slice3winner2_best_first_0_0 <= slice3winner1_held_0_0;
+      slice3winner2_best_first_0_1 <= slice3winner1_held_0_4;
+      slice3winner2_best_first_0_2 <= slice3winner1_held_0_8;
+      slice3winner2_best_first_0_3 <= slice3winner1_held_0_12;
+      slice3winner2_best_last_0_0 <= slice3winner1_held_0_3;
+      slice3winner2_best_last_0_1 <= slice3winner1_held_0_7;
+      slice3winner2_best_last_0_2 <= slice3winner1_held_0_11;
       slice3winner2_best_place_0_0 <= slice3winner2_best_index_0_0_is_not_less;
       slice3winner2_best_place_0_1 <= slice3winner2_best_index_0_1_is_not_less;
       slice3winner2_best_place_0_2 <= slice3winner2_best_index_0_2_is_not_less;
       slice3winner2_best_place_0_3 <= slice3winner2_best_index_0_3_is_not_less;
-      slice3winner2_best_at_start_0_0 <= other_10 and slice3winner2_best_index_0_0_is_not_less;
-      slice3winner2_best_at_start_0_1 <= other_11 and slice3winner2_best_index_0_1_is_not_less;
-      slice3winner2_best_at_start_0_2 <= other_13 and slice3winner2_best_index_0_2_is_not_less;
-      slice3winner2_best_at_start_0_3 <= other_14 and slice3winner2_best_index_0_3_is_not_less;
-      slice3winner2_best_at_end_0_0 <= other_9 and ((slice3winner1_best_cost_0_0 - slice3winner1_best_cost_0_1) < 0);
+      slice3winner2_best_at_start_0_0 <= other_0 and slice3winner2_best_index_0_0_is_not_less;
+      slice3winner2_best_at_start_0_1 <= other_1 and slice3winner2_best_index_0_1_is_not_less;
+      slice3winner2_best_at_start_0_2 <= other_2 and slice3winner2_best_index_0_2_is_not_less;
+      slice3winner2_best_at_start_0_3 <= other_3 and slice3winner2_best_index_0_3_is_not_less;
+      slice3winner2_best_at_end_0_0 <= slice3winner1_best_index_0_0 and ((slice3winner1_best_cost_0_0 -
+        slice3winner1_best_cost_0_1) < 0);
       slice3winner2_best_at_end_0_1 <= ((slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) < 0) and
         ((slice3winner1_best_index_0_2 / 4) = 1) and ((slice3winner1_best_index_0_2 mod 2) = 1);
       slice3winner2_best_at_end_0_2 <= ((slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) < 0) and
@@ -5031,15 +5175,16 @@ begin
       slice3_best_place_0_0 <= slice3_best_place_0_0_is_not_less;
       slice3_best_at_start_0_0 <= slice3_best_below_0_0_is_equal and slice3_best_place_0_0_is_not_less;
       slice3_best_at_end_0_0 <= slice3_best_index_0_0_is_less and slice3_best_above_0_0_is_equal;
+      slice3_best_late_cost_0_0 <= slice3_best_cost_0_0;
       slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2 when (slice3_best_second_0_0_choice_2 -
         slice3_best_second_0_0_choice_6) < 0 else slice3_best_second_0_0_choice_6;
-      slice3_best_tag_valid <= other_92;
-      slice3_best_tag_output_column <= other_91;
-      slice3_best_tag_start_of_frame <= other_90;
-      slice3_best_tag_end_of_line <= other_89;
+      slice3_best_tag_valid <= slice2_best_tag_valid;
+      slice3_best_tag_output_column <= slice2_best_tag_output_column;
+      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
+      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
       -- texture
       texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when other_4 else 0;
+      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
       texture_passes_0_0 <= 9 < texturewindow_sum_0_0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
@@ -5052,8 +5197,8 @@ begin
       texturecost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else texturecost_ready_words_0;
       texturecost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (texturecost_column_0_0_choice
         + texturecost_change_0_0) mod 1024;
-      texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - other_116;
-      texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - other_115;
+      texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
+      texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
       texturecost_pixels_cost_0_0 <= folded(texturecost_pixels_first_0_0) + as_number((texturecost_pixels_first_0_0 <
         0));
       texturecost_pixels_cost_1_0 <= folded(texturecost_pixels_first_1_0) + as_number((texturecost_pixels_first_1_0 <
@@ -5173,15 +5318,14 @@ begin
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_alone_0_0 <= slice3_best_second_0_0 = 16383;
       refinement_alone_1_0 <= refinement_alone_0_0;
-      refinement_gap_0 <= (slice3_best_second_0_0 - refinement_cost_0) mod 16384;
-      refinement_lowest_0 <= refinement_cost_0;
+      refinement_gap_0 <= (slice3_best_second_0_0 - slice3_best_late_cost_0_0) mod 16384;
+      refinement_lowest_0 <= slice3_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 4;
       refinement_scaled_cost_0 <= ((refinement_lowest_0 + (refinement_lowest_0 / 2)) * 2) + (refinement_lowest_0 mod 2);
-      refinement_cost_0 <= slice3_best_cost_0_0;
       refinement_below_0 <= slice3_best_above_0_0 when slice3_best_index_0_0 = 0 else slice3_best_below_0_0;
       refinement_above_0 <= slice3_best_below_0_0 when slice3_best_index_0_0 = 63 else slice3_best_above_0_0;
-      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 16384;
-      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 16384;
+      refinement_u_0 <= (refinement_below_0 - slice3_best_late_cost_0_0) mod 16384;
+      refinement_v_0 <= (refinement_above_0 - slice3_best_late_cost_0_0) mod 16384;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
       refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 16384 when
@@ -5208,7 +5352,7 @@ begin
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
       refinement_quotient_8_0 <= ((((32768 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 16384) +
-        ((other_102 / 2) * 2);
+        ((other_16 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
@@ -5229,143 +5373,29 @@ begin
       map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
         refinement_tag_11_output_column;
       -- other
-      other_0 <= other_1;
-      other_1 <= other_3;
-      other_2 <= other_100;
-      other_4 <= rows_ready_inside_1;
-      other_5 <= other_101;
-      other_6 <= other_5;
-      other_7 <= other_8;
-      other_8 <= other_2;
-      other_9 <= slice3winner1_best_below_0_0_is_not_less;
-      other_10 <= slice3winner1_best_index_0_1_is_less;
-      other_11 <= slice3winner1_best_index_0_3_is_less;
-      other_12 <= slice1winner1_best_below_0_0_is_not_less;
-      other_13 <= slice3winner1_best_index_0_5_is_less;
-      other_14 <= slice3winner1_best_index_0_7_is_less;
-      other_15 <= other_16;
-      other_16 <= other_17;
-      other_18 <= slice2winner1_best_below_0_0_is_not_less;
-      other_19 <= slice2winner1_best_index_0_1_is_less;
-      other_20 <= slice2winner1_best_index_0_3_is_less;
-      other_21 <= slice2winner1_best_index_0_5_is_less;
-      other_22 <= slice2winner1_best_index_0_7_is_less;
-      other_23 <= slice1winner1_best_index_0_1_is_less;
-      other_24 <= slice0window_sum_0_1;
-      other_25 <= slice0winner1_best_below_0_0_is_not_less;
-      other_26 <= slice1winner1_best_index_0_3_is_less;
-      other_27 <= slice1winner1_best_index_0_5_is_less;
-      other_28 <= slice1winner1_best_index_0_7_is_less;
-      other_29 <= slice0winner1_best_index_0_1_is_less;
-      other_30 <= slice0winner1_best_index_0_3_is_less;
-      other_31 <= other_32;
-      other_32 <= raster_place_group < 375;
-      other_33 <= slice0winner1_best_index_0_5_is_less;
-      other_34 <= slice0winner1_best_index_0_7_is_less;
-      other_35 <= other_36;
-      other_36 <= other_65;
-      other_37 <= other_38;
-      other_38 <= other_66;
-      other_39 <= other_40;
-      other_40 <= other_67;
-      other_41 <= other_42;
-      other_42 <= other_68;
-      other_43 <= other_69;
-      other_44 <= other_70;
-      other_45 <= other_46;
-      other_46 <= other_63;
-      other_47 <= other_35;
-      other_48 <= other_37;
-      other_49 <= other_39;
-      other_50 <= other_41;
-      other_51 <= other_45;
-      other_52 <= other_47;
-      other_53 <= other_48;
-      other_54 <= other_50;
-      other_55 <= other_51;
-      other_56 <= other_52;
-      other_57 <= other_53;
-      other_58 <= other_55;
-      other_59 <= other_56;
-      other_60 <= other_57;
-      other_61 <= slice3window_change_tag_valid;
-      other_62 <= other_61;
-      other_63 <= other_64;
-      other_64 <= other_93;
-      other_65 <= other_94;
-      other_66 <= other_95;
-      other_67 <= other_96;
-      other_68 <= other_97;
-      other_69 <= other_98;
-      other_70 <= other_99;
-      other_71 <= other_58;
-      other_72 <= other_59;
-      other_73 <= other_60;
-      other_74 <= other_62;
-      other_75 <= other_72;
-      other_76 <= slice3window_centre_end_of_line_6;
-      other_77 <= slice3window_centre_start_of_frame_6;
-      other_78 <= slice3window_centre_output_column_6;
-      other_79 <= other_76;
-      other_80 <= other_77;
-      other_81 <= other_78;
-      other_82 <= other_79;
-      other_83 <= other_80;
-      other_84 <= other_81;
-      other_85 <= other_82;
-      other_86 <= other_83;
-      other_87 <= other_84;
-      other_88 <= other_74;
-      other_89 <= other_85;
-      other_90 <= other_86;
-      other_91 <= other_87;
-      other_92 <= other_88;
-      other_93 <= rows_tag_end_of_line;
-      other_94 <= rows_tag_start_of_frame;
-      other_95 <= rows_tag_output_column;
-      other_96 <= rows_tag_leaves_window;
-      other_97 <= rows_tag_first_cost;
-      other_98 <= rows_tag_border_column;
-      other_99 <= rows_tag_first_group;
-      other_100 <= rows_tag_row_start;
-      other_101 <= rows_tag_valid;
-      other_102 <= ((refinement_remainder_7_0_difference / 32768) * 2) + ((other_103 / 4) * 4);
-      other_103 <= ((refinement_remainder_6_0_difference / 32768) * 4) + ((other_104 / 8) * 8);
-      other_104 <= ((refinement_remainder_5_0_difference / 32768) * 8) + ((other_105 / 16) * 16);
-      other_105 <= ((refinement_remainder_4_0_difference / 32768) * 16) + ((other_106 / 32) * 32);
-      other_106 <= ((refinement_remainder_3_0_difference / 32768) * 32) + ((other_107 / 64) * 64);
-      other_107 <= ((refinement_remainder_2_0_difference / 32768) * 64) + ((other_108 / 128) * 128);
-      other_108 <= (refinement_remainder_1_0_difference / 32768) * 128;
-      other_112 <= other_113;
-      other_113 <= other_114;
-      other_115 <= rows_reference_1;
-      other_116 <= rows_reference_0;
-      other_117 <= slice3window_sum_0_14;
-      other_120 <= other_121;
-      if other_6 then
-        other_3 <= 0 when other_8 else (other_3 + 1) mod 512;
-      end if;
-      if other_5 then
-        other_17 <= 0 when other_2 else (other_17 + 1) mod 512;
-      end if;
-      if slice1cost_ready_tag_valid then
-        other_109 <= other_110;
-        other_110 <= 0 when other_110 = 15 else (other_110 + 1) mod 16;
-        other_122 <= other_15;
-      end if;
-      if slice0cost_ready_tag_valid then
-        other_111 <= other_112;
-        other_121 <= 0 when other_7 else (other_121 + 1) mod 512;
-      end if;
-      if other_101 then
-        other_114 <= 0 when other_100 else (other_114 + 1) mod 512;
-      end if;
-      if slice3window_change_tag_valid then
-        other_118 <= slice3window_centre_start_of_frame_2;
-      end if;
-      if slice2cost_ready_tag_valid then
-        other_119 <= other_0;
-      end if;
+      other_0 <= slice3winner1_best_index_0_1_is_less;
+      other_1 <= slice3winner1_best_index_0_3_is_less;
+      other_2 <= slice3winner1_best_index_0_5_is_less;
+      other_3 <= slice3winner1_best_index_0_7_is_less;
+      other_4 <= slice2winner1_best_index_0_1_is_less;
+      other_5 <= slice2winner1_best_index_0_3_is_less;
+      other_6 <= slice2winner1_best_index_0_5_is_less;
+      other_7 <= slice2winner1_best_index_0_7_is_less;
+      other_8 <= slice1winner1_best_index_0_1_is_less;
+      other_9 <= slice1winner1_best_index_0_3_is_less;
+      other_10 <= slice1winner1_best_index_0_5_is_less;
+      other_11 <= slice1winner1_best_index_0_7_is_less;
+      other_12 <= slice0winner1_best_index_0_1_is_less;
+      other_13 <= slice0winner1_best_index_0_3_is_less;
+      other_14 <= slice0winner1_best_index_0_5_is_less;
+      other_15 <= slice0winner1_best_index_0_7_is_less;
+      other_16 <= ((refinement_remainder_7_0_difference / 32768) * 2) + ((other_17 / 4) * 4);
+      other_17 <= ((refinement_remainder_6_0_difference / 32768) * 4) + ((other_18 / 8) * 8);
+      other_18 <= ((refinement_remainder_5_0_difference / 32768) * 8) + ((other_19 / 16) * 16);
+      other_19 <= ((refinement_remainder_4_0_difference / 32768) * 16) + ((other_20 / 32) * 32);
+      other_20 <= ((refinement_remainder_3_0_difference / 32768) * 32) + ((other_21 / 64) * 64);
+      other_21 <= ((refinement_remainder_2_0_difference / 32768) * 64) + ((other_22 / 128) * 128);
+      other_22 <= (refinement_remainder_1_0_difference / 32768) * 128;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -5413,43 +5443,115 @@ begin
         rows_tag_output_column <= false;
         rows_tag_start_of_frame <= false;
         rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_row_start <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_row_start <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_row_start <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_read_column <= 0;
+        slice0cost_change_column <= 0;
+        slice0cost_ready_column <= 0;
         slice0cost_ready_tag_valid <= false;
+        slice0cost_ready_tag_row_start <= false;
+        slice0cost_ready_tag_output_column <= false;
+        slice0cost_ready_tag_start_of_frame <= false;
+        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_write_column <= 0;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_ring_read_address <= 1;
+        slice0window_ring_write_address <= 0;
+        slice0window_entering_tag_valid <= false;
+        slice0window_entering_tag_output_column <= false;
+        slice0window_entering_tag_start_of_frame <= false;
+        slice0window_entering_tag_end_of_line <= false;
         slice0window_change_tag_valid <= false;
-        slice1cost_ready_tag_valid <= false;
+        slice0window_change_tag_output_column <= false;
+        slice0window_change_tag_start_of_frame <= false;
+        slice0window_change_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0winner4_tag_valid <= false;
+        slice0winner4_tag_output_column <= false;
+        slice0winner4_tag_start_of_frame <= false;
+        slice0winner4_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1cost_read_column <= 0;
+        slice1cost_change_column <= 0;
+        slice1cost_ready_column <= 0;
+        slice1cost_write_column <= 0;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
-        slice1window_change_tag_valid <= false;
-        slice2cost_ready_tag_valid <= false;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_1 <= false;
+        slice1window_centre_start_of_frame_3 <= false;
+        slice1window_centre_start_of_frame_4 <= false;
+        slice1window_centre_start_of_frame_5 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2cost_read_column <= 0;
+        slice2cost_change_column <= 0;
+        slice2cost_ready_column <= 0;
+        slice2cost_write_column <= 0;
         slice2window_ring_read_address <= 1;
         slice2window_ring_write_address <= 0;
-        slice2window_change_tag_valid <= false;
+        slice2window_centre_output_column_0 <= false;
+        slice2window_centre_start_of_frame_1 <= false;
+        slice2window_centre_end_of_line_0 <= false;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+        slice3cost_read_column <= 0;
+        slice3cost_change_column <= 0;
         slice3cost_ready_column <= 0;
         slice3cost_write_column <= 0;
         slice3window_ring_read_address <= 1;
         slice3window_ring_write_address <= 0;
-        slice3window_change_tag_valid <= false;
-        slice3window_change_tag_output_column <= false;
-        slice3window_change_tag_end_of_line <= false;
         slice3window_centre_output_column_0 <= false;
         slice3window_centre_output_column_1 <= false;
         slice3window_centre_output_column_2 <= false;
         slice3window_centre_output_column_3 <= false;
         slice3window_centre_output_column_4 <= false;
         slice3window_centre_output_column_5 <= false;
-        slice3window_centre_output_column_6 <= false;
-        slice3window_centre_start_of_frame_0 <= false;
         slice3window_centre_start_of_frame_1 <= false;
-        slice3window_centre_start_of_frame_2 <= false;
-        slice3window_centre_start_of_frame_4 <= false;
         slice3window_centre_start_of_frame_5 <= false;
-        slice3window_centre_start_of_frame_6 <= false;
         slice3window_centre_end_of_line_0 <= false;
         slice3window_centre_end_of_line_1 <= false;
         slice3window_centre_end_of_line_2 <= false;
         slice3window_centre_end_of_line_3 <= false;
         slice3window_centre_end_of_line_4 <= false;
         slice3window_centre_end_of_line_5 <= false;
-        slice3window_centre_end_of_line_6 <= false;
         slice3_best_tag_valid <= false;
         slice3_best_tag_output_column <= false;
         slice3_best_tag_start_of_frame <= false;
@@ -5505,78 +5607,6 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= 0;
-        other_1 <= 0;
-        other_2 <= false;
-        other_3 <= 0;
-        other_5 <= false;
-        other_6 <= false;
-        other_7 <= false;
-        other_8 <= false;
-        other_15 <= 0;
-        other_16 <= 0;
-        other_17 <= 0;
-        other_35 <= false;
-        other_36 <= false;
-        other_37 <= false;
-        other_38 <= false;
-        other_45 <= false;
-        other_46 <= false;
-        other_47 <= false;
-        other_48 <= false;
-        other_51 <= false;
-        other_52 <= false;
-        other_53 <= false;
-        other_55 <= false;
-        other_56 <= false;
-        other_57 <= false;
-        other_58 <= false;
-        other_59 <= false;
-        other_60 <= false;
-        other_61 <= false;
-        other_62 <= false;
-        other_63 <= false;
-        other_64 <= false;
-        other_65 <= false;
-        other_66 <= false;
-        other_71 <= false;
-        other_72 <= false;
-        other_73 <= false;
-        other_74 <= false;
-        other_75 <= false;
-        other_76 <= false;
-        other_77 <= false;
-        other_78 <= false;
-        other_79 <= false;
-        other_80 <= false;
-        other_81 <= false;
-        other_82 <= false;
-        other_83 <= false;
-        other_84 <= false;
-        other_85 <= false;
-        other_86 <= false;
-        other_87 <= false;
-        other_88 <= false;
-        other_89 <= false;
-        other_90 <= false;
-        other_91 <= false;
-        other_92 <= false;
-        other_93 <= false;
-        other_94 <= false;
-        other_95 <= false;
-        other_100 <= false;
-        other_101 <= false;
-        other_109 <= 0;
-        other_110 <= 1;
-        other_111 <= 0;
-        other_112 <= 0;
-        other_113 <= 0;
-        other_114 <= 0;
-        other_118 <= false;
-        other_119 <= 0;
-        other_120 <= 0;
-        other_121 <= 0;
-        other_122 <= 0;
       end if;
     end if;
   end process;

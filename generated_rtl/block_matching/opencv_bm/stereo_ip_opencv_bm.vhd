@@ -64,7 +64,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3608,
       gap_groups => 3150,
-      core_id => x"6486f93e",
+      core_id => x"5ac5a8c8",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

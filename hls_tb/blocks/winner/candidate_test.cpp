@@ -45,7 +45,7 @@ Range<C> joined_at_random(const std::vector<int>& costs, int first, int end, Ran
    const Choice choice = Choice::chosen(upper, Choice::of(0, false, a.best.index == split - 1),
                                         Choice::of(1, b.best.index == split, false));
    return {WindowCandidate<C>::joined(a.best, split - 1, b.best, split),
-           WindowLosers<C>::joined(a.losers.left_by(choice, 0, 2), b.losers.left_by(choice, 1, 2))};
+           WindowLosers<C>::joined(a.losers.template left_by<0, 2>(choice), b.losers.template left_by<1, 2>(choice))};
 }
 
 TYPED_TEST(CandidateTest, JoinedRangesKnowWhatTheWholeRangeShows) {

@@ -2,7 +2,6 @@
 #include "program/commands/evaluate_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -31,19 +30,16 @@ struct Arguments {
    CameraDifference cameras;
 };
 
-/// The images and the truth of each that has one.
+/// The images and, of each that has one, truth and masks.
 struct GroundTruth {
    ImagePair pair;  ///< as loaded: which pixels count does not depend on the cameras
    ImagePair seen;  ///< what is matched
    std::optional<DisparityImage> left, right;
-   int border_px;
+   std::vector<NamedMask> left_masks, right_masks;
 
    const std::optional<DisparityImage>& of(Reference side) const { return side == Reference::left ? left : right; }
-   const GrayImage& image(Reference side) const { return side == Reference::left ? pair.left : pair.right; }
-   /// Of a method of so many disparities. Needs of(side).
-   std::vector<NamedMask> masks(Reference side, int disparities) const {
-      const auto& other = of(side == Reference::left ? Reference::right : Reference::left);
-      return evaluation_masks(image(side), *of(side), other ? &*other : nullptr, side, border_px, disparities);
+   const std::vector<NamedMask>& masks(Reference side) const {
+      return side == Reference::left ? left_masks : right_masks;
    }
 };
 
@@ -68,25 +64,39 @@ GroundTruth load(const Arguments& arguments) {
    truth.seen = seen_by(truth.pair, arguments.cameras);
    truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.pair.left);
    truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.pair.right);
-   truth.border_px = arguments.border_px;
+   const auto address = [](const std::optional<DisparityImage>& image) { return image ? &*image : nullptr; };
+   if (truth.left)
+      truth.left_masks =
+          evaluation_masks(truth.pair.left, *truth.left, address(truth.right), Reference::left, arguments.border_px);
+   if (truth.right)
+      truth.right_masks =
+          evaluation_masks(truth.pair.right, *truth.right, address(truth.left), Reference::right, arguments.border_px);
    return truth;
 }
 
-/// disparities: the largest that the method looks for, and one.
-void score(EvaluatedMethod& method, const DisparityImage& found, int disparities, const GroundTruth& truth) {
+/// range: the disparities that the method looks for; nothing where they are not known.
+void score(EvaluatedMethod& method, const DisparityImage& found, std::optional<DisparityRange> range,
+           const GroundTruth& truth) {
    const std::optional<DisparityImage>& wanted = truth.of(method.reference);
    if (!wanted) return;
-   for (const NamedMask& mask : truth.masks(method.reference, disparities)) {
-      const Measures measures = measure(found, *wanted, mask.mask);
-      if (measures.pixels > 0) method.masks.push_back({mask.name, measures});
+   const auto add = [&](const char* name, const GrayImage& mask) {
+      const Measures measures = measure(found, *wanted, mask);
+      if (measures.pixels > 0) method.masks.push_back({name, measures});
+   };
+   for (const NamedMask& mask : truth.masks(method.reference)) {
+      add(mask.name.c_str(), mask.mask);
+      if (range && mask.name == kNonOccluded) add(kSearchable, searchable_mask(mask.mask, *range, method.reference));
    }
 }
 
-int range_of(const Algorithm& algorithm) {
-   int range = 0;
-   for (const OptionValue& option : algorithm.options())
-      if (option.name == "disparities" || option.name == "min_disparity") range += std::get<int>(option.value);
-   return std::max(range, 0);
+/// Families without a smallest disparity look from 0 on.
+DisparityRange range_of(const Algorithm& algorithm) {
+   DisparityRange range{0, 0};
+   for (const OptionValue& option : algorithm.options()) {
+      if (option.name == "disparities") range.count = std::get<int>(option.value);
+      if (option.name == "min_disparity") range.first = std::get<int>(option.value);
+   }
+   return range;
 }
 
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
@@ -105,8 +115,8 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
-   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher); }), matcher.disparities,
-         truth);
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher); }),
+         DisparityRange{0, matcher.disparities}, truth);
    return method;
 }
 
@@ -116,7 +126,7 @@ EvaluatedMethod evaluate_file(const std::string& path, const std::string& refere
    require_size(found, truth.pair.left, "--disparity " + path);
    EvaluatedMethod method{path,         "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}},
                           kNoDisparity, {}};
-   score(method, found, arguments.opencv_disparities, truth);
+   score(method, found, std::nullopt, truth);
    return method;
 }
 

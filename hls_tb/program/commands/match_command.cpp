@@ -102,6 +102,7 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
                       {"output_width_px", map.width},
                       {"output_height_px", map.height},
                       {"output_first_column", geometry.first_column},
+                      {"reference", word_of(geometry.reference)},
                       {"disparity_steps_per_px", map.steps_per_pixel()},
                       {"density", density(map)},
                       {"milliseconds", milliseconds}});

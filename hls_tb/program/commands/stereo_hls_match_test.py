@@ -86,7 +86,7 @@ def configurations():
 
 
 # Options that reject pixels when they are above 0; of the families, each has some.
-CHECKS = ("uniqueness_percent", "uniqueness_distance", "texture_threshold", "least_difference")
+CHECKS = ("uniqueness_percent", "uniqueness_distance", "texture_threshold", "least_difference", "mark_occluded")
 
 
 @pytest.mark.parametrize("config", configurations())
@@ -121,8 +121,10 @@ def test_every_configuration_on_its_scene(tmp_path, config):
     # Scenes have disparities from 0 on, and hardly a window in the narrowest maps.
     # A family without windows does not match at all.
     if found.get("min_disparity") == 0 and found["output_width_px"] >= 20 and found.get("window_px", 0) >= 3:
-        # In an image of some ten pixels, smoothing carries what is wrong far.
-        assert score["bad_px"] < (0.4 if "p1" in found else 0.25) * score["compared_px"]
+        # In an image of some ten pixels, smoothing carries what is wrong far; a trellis sees nothing but one row.
+        assert (
+            score["bad_px"] < (0.7 if "drop_cost" in found else 0.4 if "p1" in found else 0.25) * score["compared_px"]
+        )
 
 
 def test_overview_enlarges_small_images_only(tmp_path, match):

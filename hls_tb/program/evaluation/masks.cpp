@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/evaluation/masks.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
@@ -49,11 +48,16 @@ GrayImage non_occluded_mask(const DisparityImage& truth, const DisparityImage& o
    return mask;
 }
 
-GrayImage searchable_mask(const GrayImage& visible, int disparities, Reference side) {
+GrayImage searchable_mask(const GrayImage& visible, DisparityRange range, Reference side) {
    GrayImage mask = visible;
-   const int lacking = std::min(disparities, mask.width), first = side == Reference::left ? 0 : mask.width - lacking;
-   for (int y = 0; y < mask.height; ++y)
-      for (int x = first; x < first + lacking; ++x) mask.at(x, y) = 0;
+   const int toward_the_match = side == Reference::left ? -1 : 1;
+   const auto inside = [&](int x, int disparity) {
+      const int match = x + toward_the_match * disparity;
+      return match >= 0 && match < mask.width;
+   };
+   for (int x = 0; x < mask.width; ++x)
+      if (!inside(x, range.first) || !inside(x, range.first + range.count))
+         for (int y = 0; y < mask.height; ++y) mask.at(x, y) = 0;
    return mask;
 }
 
@@ -85,16 +89,15 @@ GrayImage textureless_mask(const GrayImage& image) {
 }
 
 std::vector<NamedMask> evaluation_masks(const GrayImage& image, const DisparityImage& truth,
-                                        const DisparityImage* other, Reference side, int border_px, int disparities) {
+                                        const DisparityImage* other, Reference side, int border_px) {
    const GrayImage all = known_inside(truth, border_px);
-   const auto [all_name, visible_name, discontinuity_name, textureless_name, searchable_name] = kMaskNames;
+   const auto [all_name, visible_name, searchable_name, discontinuity_name, textureless_name] = kMaskNames;
    if (other == nullptr) return {{all_name, all}};
    const GrayImage visible = both(non_occluded_mask(truth, *other, side), all);
    return {{all_name, all},
            {visible_name, visible},
            {discontinuity_name, both(discontinuity_mask(truth), visible)},
-           {textureless_name, both(textureless_mask(image), visible)},
-           {searchable_name, searchable_mask(visible, disparities, side)}};
+           {textureless_name, both(textureless_mask(image), visible)}};
 }
 
 }  // namespace stereo::app

@@ -23,9 +23,14 @@ inline constexpr float kTexturelessThreshold = 4;  ///< EVAL_TEXTURELESS_THRESH,
 
 // All masks: 255 where the pixel belongs to the region, else 0.
 
-/// Of `visible`, the columns from which `disparities` columns lie inside the other image. In the others no method can
-/// look for all of its disparities.
-GrayImage searchable_mask(const GrayImage& visible, int disparities, Reference side);
+/// Disparities first ... first+count-1.
+struct DisparityRange {
+   int first, count;
+};
+
+/// Of `visible`, the columns from which all disparities of the range, and the one behind it, lead into the other image.
+/// In the others no method can look for all of its disparities; OpenCV's maps begin behind as many columns.
+GrayImage searchable_mask(const GrayImage& visible, DisparityRange range, Reference side);
 
 /// The pixels that the other image shows too: the other's truth where the disparity leads to is known and not larger
 /// (nearer) by more than kOcclusionThreshold. `side`: which image `truth` belongs to.
@@ -39,8 +44,9 @@ GrayImage discontinuity_mask(const DisparityImage& truth);
 GrayImage textureless_mask(const GrayImage& image);
 
 /// In the order of tables.
-inline constexpr std::array<const char*, 5> kMaskNames{"all", "non_occluded", "discontinuity", "textureless",
-                                                       "searchable"};
+inline constexpr const char *kNonOccluded = "non_occluded", *kSearchable = "searchable";
+inline constexpr std::array<const char*, 5> kMaskNames{"all", kNonOccluded, kSearchable, "discontinuity",
+                                                       "textureless"};
 
 struct NamedMask {
    std::string name;  ///< one of kMaskNames
@@ -49,8 +55,8 @@ struct NamedMask {
 
 /// The regions of one reference image. `all`: its truth is known, and the pixel is `border_px` or more away from the
 /// image's border. The others lie in `all`, need the other image's truth as well and are absent where `other` is null;
-/// the last three lie in non_occluded. `disparities`: of the method that is measured.
+/// discontinuity and textureless lie in non_occluded. Without the searchable columns, which depend on the method.
 std::vector<NamedMask> evaluation_masks(const GrayImage& image, const DisparityImage& truth,
-                                        const DisparityImage* other, Reference side, int border_px, int disparities);
+                                        const DisparityImage* other, Reference side, int border_px);
 
 }  // namespace stereo::app

@@ -36,9 +36,11 @@ TEST(Masks, SearchableColumnsHaveTheWholeRangeInTheOtherImage) {
    GrayImage visible(8, 1);
    for (uint8_t& pixel : visible.pixels) pixel = 255;
    visible.at(5, 0) = 0;
-   EXPECT_EQ(drawn(searchable_mask(visible, 3, Reference::left)), "...##.##");
-   EXPECT_EQ(drawn(searchable_mask(visible, 3, Reference::right)), "#####...");
-   EXPECT_EQ(drawn(searchable_mask(visible, 99, Reference::left)), "........");
+   EXPECT_EQ(drawn(searchable_mask(visible, {0, 3}, Reference::left)), "...##.##");
+   EXPECT_EQ(drawn(searchable_mask(visible, {0, 3}, Reference::right)), "#####...");
+   EXPECT_EQ(drawn(searchable_mask(visible, {1, 3}, Reference::left)), "....#.##");
+   EXPECT_EQ(drawn(searchable_mask(visible, {-2, 3}, Reference::left)), ".####...") << "they lead out at the other end";
+   EXPECT_EQ(drawn(searchable_mask(visible, {0, 99}, Reference::left)), "........");
 }
 
 TEST(Masks, OcclusionNeedsKnownDisparitiesAndMoreThanOnePixel) {
@@ -92,8 +94,8 @@ TEST(Masks, OfAnEvaluationLieInOneAnother) {
    left.at(20, 15) = kNone;
    right.at(22, 15) = 9;
    const GrayImage flat(40, 30, 90);
-   const auto masks = evaluation_masks(flat, left, &right, Reference::left, 10, 12);
-   ASSERT_EQ(masks.size(), 5u);
+   const auto masks = evaluation_masks(flat, left, &right, Reference::left, 10);
+   ASSERT_EQ(masks.size(), 4u);
    EXPECT_EQ(masks[0].name, "all");
    EXPECT_EQ(drawn(masks[0].mask, 15), "..........##########.#########..........");
    EXPECT_EQ(drawn(masks[0].mask, 9), std::string(40, '.'));
@@ -104,10 +106,8 @@ TEST(Masks, OfAnEvaluationLieInOneAnother) {
    EXPECT_EQ(drawn(masks[2].mask, 15), std::string(40, '.'));
    EXPECT_EQ(masks[3].name, "textureless");
    EXPECT_EQ(masks[3].mask, masks[1].mask);
-   EXPECT_EQ(masks[4].name, "searchable");
-   EXPECT_EQ(drawn(masks[4].mask, 15), "............########.###.#####..........");
-   EXPECT_EQ(evaluation_masks(flat, left, nullptr, Reference::left, 10, 12).size(), 1u);
-   const auto nothing = evaluation_masks(flat, left, &right, Reference::left, 15, 12);
+   EXPECT_EQ(evaluation_masks(flat, left, nullptr, Reference::left, 10).size(), 1u);
+   const auto nothing = evaluation_masks(flat, left, &right, Reference::left, 15);
    EXPECT_EQ(nothing[0].mask, GrayImage(40, 30)) << "a border as high as the image";
 }
 

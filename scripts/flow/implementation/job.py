@@ -36,6 +36,11 @@ class Job:
     def entity(self) -> str:
         return rtl.ip_entity(self.config) if self.shell else rtl.core_entity(self.config)
 
+    @property
+    def bypasses(self) -> bool:
+        """Whether its line memories need them."""
+        return rtl.folder(self.config).parent.name not in yosys.WITHOUT_BYPASS
+
     def files(self) -> list[Path]:
         return design.vhdl_files(self.config) if self.shell else manifest.vhdl_files(self.vhdl)
 
@@ -64,7 +69,7 @@ def synthesize(job: Job, target: Target, stage: Callable[[str], None]) -> Netlis
     stage("ghdl --synth")
     verilog = re.sub(rf"\bmodule {job.entity}\b", f"module {TOP}", ghdl.to_verilog(job.files(), work, job.entity))
     stage("yosys")
-    area, lost = yosys.synthesize(target, verilog, work)
+    area, lost = yosys.synthesize(target, verilog, work, job.bypasses)
     names = {}
     if target.device:
         names = nextpnr.register_names(verilog, json.loads((work / "netlist.json").read_text()))

@@ -41,7 +41,7 @@ FAMILIES = {
     for target in (
         # A carry cell takes both LUTs of its half slice. A 16x4 RAM takes 4 LUTs in two slices for its data and the 2
         # LUTs of a third slice for its write port; nextpnr counts the same ("RAM LUTs", "RAMW LUTs"). PFUMX and L6MUX21
-        # are multiplexers beside the LUTs. Without -no-rw-check: test_memory_collisions.py says why.
+        # are multiplexers beside the LUTs.
         Target(
             "ecp5",
             f"synth_ecp5 -abc9 -top {TOP}",

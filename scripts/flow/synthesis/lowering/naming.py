@@ -3,7 +3,8 @@
 
 The tool drops the names. But the netlist and the clocked C++ core show the same values clock for clock, so a register
 is recognised by its trace: the netlist runs in Python on the stimulus with which `stereo_hls trace` traced the core.
-Where several registers of C++ have one trace, such as flags that never rise in it, the registers around decide.
+Registers of C++ that always agree are as good as one another. Those that never change in the trace, such as a flag that
+never rises, may yet differ elsewhere: for them the registers around decide.
 The same run compares the outputs: a netlist that differs from the C++ in one bit of one clock never becomes VHDL.
 """
 
@@ -127,8 +128,8 @@ def _common_words(one: str, other: str) -> int:
 
 
 def _choose(registers: list[Register], names: list[str], beside: dict[int, list[Register]]) -> dict[int, str]:
-    """{id of a register: its name} for registers and names that have the same trace, the clearest pair first. A
-    register gets none when nothing around it has a name of the same block."""
+    """{id of a register: its name} for registers and names that never change, the clearest pair first. A register gets
+    none when nothing around it has a name of the same block."""
 
     def likeness(register: Register, name: str) -> int:
         return sum(_common_words(name, neighbour.name) for neighbour in beside[id(register)])
@@ -153,17 +154,18 @@ def name_registers(netlist: Netlist, trace: Trace) -> None:
     history = trace_netlist(netlist, trace)
     for register, values in zip(netlist.registers, history):
         alike.setdefault(values, []).append(register)
+    still = [values for values in alike if len(set(values)) == 1]
     chosen = {
-        id(registers[0]): names[values][0]
+        id(register): name
         for values, registers in alike.items()
-        if len(registers) == len(names.get(values, [])) == 1
+        if values not in still
+        for register, name in zip(registers, names.get(values, []))
     }
     for register in netlist.registers:
         register.name = chosen.get(id(register), "")
     beside = _beside(netlist)
-    for values, registers in alike.items():
-        if values in names and id(registers[0]) not in chosen:
-            chosen |= _choose(registers, names[values], beside)
+    for values in still:
+        chosen |= _choose(alike[values], names.get(values, []), beside)
     for register, values in zip(netlist.registers, history):
         if id(register) in chosen:
             register.name = chosen[id(register)]

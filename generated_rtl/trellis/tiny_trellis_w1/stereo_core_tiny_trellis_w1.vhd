@@ -1,0 +1,6614 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, trellis, configuration tiny_trellis_w1: 40x12, 12 disparities, window 1x1, drop 4 or by 6, occlusion 7, 1 pixel pairs a clock.
+-- Options: disparities 12, window_px 1, census_width_px 9, cost_shift 2, slice_disparities 5.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_trellis_w1
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_trellis_w1 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 12;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 29;
+    latency_clocks : positive := 25;
+    flush_groups : positive := 165;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(7 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_trellis_w1: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_trellis_w1: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_trellis_w1: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_trellis_w1: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_trellis_w1: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 29 report "stereo_core_tiny_trellis_w1: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
+  assert latency_clocks = 25 report "stereo_core_tiny_trellis_w1: latency_clocks is " & integer'image(latency_clocks) & " but this core has 25" severity failure;
+  assert flush_groups = 165 report "stereo_core_tiny_trellis_w1: flush_groups is " & integer'image(flush_groups) & " but this core has 165" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_trellis_w1: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_trellis_w1 is
+  function magnitude(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -value;
+    end if;
+    return value;
+  end function;
+
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 255;
+  signal transform_right_column_3, transform_right_column_4, transform_left_filter_column_0_0 : natural range 0 to 255;
+  signal transform_left_filter_column_0_1, transform_left_filter_column_0_2 : natural range 0 to 255;
+  signal transform_left_filter_column_0_3, transform_left_filter_column_0_4 : natural range 0 to 255;
+  signal transform_left_filter_column_1_0, transform_left_filter_column_1_1 : natural range 0 to 255;
+  signal transform_left_filter_column_1_2, transform_left_filter_column_1_3 : natural range 0 to 255;
+  signal transform_left_filter_column_1_4, transform_left_filter_column_2_0 : natural range 0 to 255;
+  signal transform_left_filter_column_2_1, transform_left_filter_column_2_2 : natural range 0 to 255;
+  signal transform_left_filter_column_2_3, transform_left_filter_column_2_4 : natural range 0 to 255;
+  signal transform_left_filter_column_3_0, transform_left_filter_column_3_1 : natural range 0 to 255;
+  signal transform_left_filter_column_3_2, transform_left_filter_column_3_3 : natural range 0 to 255;
+  signal transform_left_filter_column_3_4, transform_left_filter_column_4_0 : natural range 0 to 255;
+  signal transform_left_filter_column_4_1, transform_left_filter_column_4_2 : natural range 0 to 255;
+  signal transform_left_filter_column_4_3, transform_left_filter_column_4_4 : natural range 0 to 255;
+  signal transform_left_filter_column_5_0, transform_left_filter_column_5_1 : natural range 0 to 255;
+  signal transform_left_filter_column_5_2, transform_left_filter_column_5_3 : natural range 0 to 255;
+  signal transform_left_filter_column_5_4, transform_left_filter_column_6_0 : natural range 0 to 255;
+  signal transform_left_filter_column_6_1, transform_left_filter_column_6_2 : natural range 0 to 255;
+  signal transform_left_filter_column_6_3, transform_left_filter_column_6_4 : natural range 0 to 255;
+  signal transform_left_filter_column_7_0, transform_left_filter_column_7_1 : natural range 0 to 255;
+  signal transform_left_filter_column_7_2, transform_left_filter_column_7_3 : natural range 0 to 255;
+  signal transform_left_filter_column_7_4, transform_left_filter_column_8_0 : natural range 0 to 255;
+  signal transform_left_filter_column_8_1, transform_left_filter_column_8_2 : natural range 0 to 255;
+  signal transform_left_filter_column_8_3, transform_left_filter_column_8_4 : natural range 0 to 255;
+  signal transform_right_filter_column_0_0, transform_right_filter_column_0_1 : natural range 0 to 255;
+  signal transform_right_filter_column_0_2, transform_right_filter_column_0_3 : natural range 0 to 255;
+  signal transform_right_filter_column_0_4, transform_right_filter_column_1_0 : natural range 0 to 255;
+  signal transform_right_filter_column_1_1, transform_right_filter_column_1_2 : natural range 0 to 255;
+  signal transform_right_filter_column_1_3, transform_right_filter_column_1_4 : natural range 0 to 255;
+  signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 255;
+  signal transform_right_filter_column_2_2, transform_right_filter_column_2_3 : natural range 0 to 255;
+  signal transform_right_filter_column_2_4, transform_right_filter_column_3_0 : natural range 0 to 255;
+  signal transform_right_filter_column_3_1, transform_right_filter_column_3_2 : natural range 0 to 255;
+  signal transform_right_filter_column_3_3, transform_right_filter_column_3_4 : natural range 0 to 255;
+  signal transform_right_filter_column_4_0, transform_right_filter_column_4_1 : natural range 0 to 255;
+  signal transform_right_filter_column_4_2, transform_right_filter_column_4_3 : natural range 0 to 255;
+  signal transform_right_filter_column_4_4, transform_right_filter_column_5_0 : natural range 0 to 255;
+  signal transform_right_filter_column_5_1, transform_right_filter_column_5_2 : natural range 0 to 255;
+  signal transform_right_filter_column_5_3, transform_right_filter_column_5_4 : natural range 0 to 255;
+  signal transform_right_filter_column_6_0, transform_right_filter_column_6_1 : natural range 0 to 255;
+  signal transform_right_filter_column_6_2, transform_right_filter_column_6_3 : natural range 0 to 255;
+  signal transform_right_filter_column_6_4, transform_right_filter_column_7_0 : natural range 0 to 255;
+  signal transform_right_filter_column_7_1, transform_right_filter_column_7_2 : natural range 0 to 255;
+  signal transform_right_filter_column_7_3, transform_right_filter_column_7_4 : natural range 0 to 255;
+  signal transform_right_filter_column_8_0, transform_right_filter_column_8_1 : natural range 0 to 255;
+  signal transform_right_filter_column_8_2, transform_right_filter_column_8_3 : natural range 0 to 255;
+  signal transform_right_filter_column_8_4 : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
+  signal transform_read_row_inside_1, transform_read_row_inside_2, transform_read_row_inside_3 : boolean;
+  signal transform_read_row_inside_4, transform_read_column_inside_0, transform_read_column_inside_1 : boolean;
+  signal transform_read_column_inside_2, transform_read_column_inside_3, transform_read_column_inside_4 : boolean;
+  signal transform_read_column_inside_5, transform_read_column_inside_6, transform_read_column_inside_7 : boolean;
+  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside_0, transform_ready_row_inside_1, transform_ready_row_inside_2 : boolean;
+  signal transform_ready_row_inside_3, transform_ready_row_inside_4, transform_ready_column_inside_0 : boolean;
+  signal transform_ready_column_inside_1, transform_ready_column_inside_2, transform_ready_column_inside_3 : boolean;
+  signal transform_ready_column_inside_4, transform_ready_column_inside_5, transform_ready_column_inside_6 : boolean;
+  signal transform_ready_column_inside_7, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
+  signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_1 : boolean;
+  signal transform_columns_row_inside_2, transform_columns_row_inside_3, transform_columns_row_inside_4 : boolean;
+  signal transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
+  signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
+  signal transform_columns_column_inside_4, transform_columns_column_inside_5 : boolean;
+  signal transform_columns_column_inside_6, transform_columns_column_inside_7 : boolean;
+  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
+  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
+  signal transform_filtering_column_inside_4, transform_filtering_column_inside_5 : boolean;
+  signal transform_filtering_column_inside_6, transform_filtering_column_inside_7 : boolean;
+  signal transform_filtering_column_inside_8, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
+  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 15;
+  signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : unsigned(43 downto 0);
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : unsigned(43 downto 0);
+  signal raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 15;
+  -- delay
+  signal delay_ahead_0, delay_delayed_0 : unsigned(43 downto 0);
+  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_0, rows_reference_0 : unsigned(43 downto 0);
+  signal rows_tag_valid, rows_tag_border_column, rows_tag_first_cost, rows_tag_map_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : unsigned(43 downto 0);
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_reference_0 : unsigned(43 downto 0);
+  signal slice0shift_search_out_0 : unsigned(43 downto 0);
+  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
+  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
+  signal slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0_count_0, slice0cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_2, slice0cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_4, slice0cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_6, slice0cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_8, slice0cost_pixels_first_0_0_count_9 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_10, slice0cost_pixels_first_0_0_count_11 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_12, slice0cost_pixels_first_0_0_count_13 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_0, slice0cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_2, slice0cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_4, slice0cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_6, slice0cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_8, slice0cost_pixels_first_0_1_count_9 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_10, slice0cost_pixels_first_0_1_count_11 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_1_count_12, slice0cost_pixels_first_0_1_count_13 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_0, slice0cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_2, slice0cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_4, slice0cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_6, slice0cost_pixels_first_0_2_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_8, slice0cost_pixels_first_0_2_count_9 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_10, slice0cost_pixels_first_0_2_count_11 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_2_count_12, slice0cost_pixels_first_0_2_count_13 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_0, slice0cost_pixels_first_0_3_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_2, slice0cost_pixels_first_0_3_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_4, slice0cost_pixels_first_0_3_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_6, slice0cost_pixels_first_0_3_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_8, slice0cost_pixels_first_0_3_count_9 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_10, slice0cost_pixels_first_0_3_count_11 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_3_count_12, slice0cost_pixels_first_0_3_count_13 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_0, slice0cost_pixels_first_0_4_count_1 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_2, slice0cost_pixels_first_0_4_count_3 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_4, slice0cost_pixels_first_0_4_count_5 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_6, slice0cost_pixels_first_0_4_count_7 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_8, slice0cost_pixels_first_0_4_count_9 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_10, slice0cost_pixels_first_0_4_count_11 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_4_count_12, slice0cost_pixels_first_0_4_count_13 : natural range 0 to 3;
+  signal slice0cost_pixels_first_0_0_count_14, slice0cost_pixels_first_0_1_count_14 : natural range 0 to 2;
+  signal slice0cost_pixels_first_0_2_count_14, slice0cost_pixels_first_0_3_count_14 : natural range 0 to 2;
+  signal slice0cost_pixels_first_0_4_count_14 : natural range 0 to 2;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_map_column : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
+  signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 44;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4 : natural range 0 to 44;
+  -- slice0window
+  signal slice0window_tag_valid, slice0window_tag_border_column, slice0window_tag_first_cost : boolean;
+  signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_held_0_0, slice0_held_0_1, slice0_held_0_2, slice0_held_0_3, slice0_held_0_4 : natural range 0 to 11;
+  signal slice0_held_1_0, slice0_held_1_1, slice0_held_1_2, slice0_held_1_3, slice0_held_1_4 : natural range 0 to 11;
+  signal slice0_held_2_0, slice0_held_2_1, slice0_held_2_2, slice0_held_2_3, slice0_held_2_4 : natural range 0 to 11;
+  signal slice0_tag_0_valid, slice0_tag_0_first_cost, slice0_tag_0_map_column, slice0_tag_0_output_column : boolean;
+  signal slice0_tag_0_start_of_frame, slice0_tag_0_end_of_line, slice0_tag_1_valid, slice0_tag_1_first_cost : boolean;
+  signal slice0_tag_1_map_column, slice0_tag_1_output_column, slice0_tag_1_start_of_frame : boolean;
+  signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_first_cost, slice0_tag_2_map_column : boolean;
+  signal slice0_tag_2_output_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : unsigned(43 downto 0);
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_reference_0 : unsigned(43 downto 0);
+  signal slice1shift_search_out_0 : unsigned(43 downto 0);
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0_count_0, slice1cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_2, slice1cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_4, slice1cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_6, slice1cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_8, slice1cost_pixels_first_0_0_count_9 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_10, slice1cost_pixels_first_0_0_count_11 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_12, slice1cost_pixels_first_0_0_count_13 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_0, slice1cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_2, slice1cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_4, slice1cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_6, slice1cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_8, slice1cost_pixels_first_0_1_count_9 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_10, slice1cost_pixels_first_0_1_count_11 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_1_count_12, slice1cost_pixels_first_0_1_count_13 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_0, slice1cost_pixels_first_0_2_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_2, slice1cost_pixels_first_0_2_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_4, slice1cost_pixels_first_0_2_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_6, slice1cost_pixels_first_0_2_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_8, slice1cost_pixels_first_0_2_count_9 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_10, slice1cost_pixels_first_0_2_count_11 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_2_count_12, slice1cost_pixels_first_0_2_count_13 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_0, slice1cost_pixels_first_0_3_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_2, slice1cost_pixels_first_0_3_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_4, slice1cost_pixels_first_0_3_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_6, slice1cost_pixels_first_0_3_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_8, slice1cost_pixels_first_0_3_count_9 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_10, slice1cost_pixels_first_0_3_count_11 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_3_count_12, slice1cost_pixels_first_0_3_count_13 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_0, slice1cost_pixels_first_0_4_count_1 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_2, slice1cost_pixels_first_0_4_count_3 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_4, slice1cost_pixels_first_0_4_count_5 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_6, slice1cost_pixels_first_0_4_count_7 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_8, slice1cost_pixels_first_0_4_count_9 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_10, slice1cost_pixels_first_0_4_count_11 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_4_count_12, slice1cost_pixels_first_0_4_count_13 : natural range 0 to 3;
+  signal slice1cost_pixels_first_0_0_count_14, slice1cost_pixels_first_0_1_count_14 : natural range 0 to 2;
+  signal slice1cost_pixels_first_0_2_count_14, slice1cost_pixels_first_0_3_count_14 : natural range 0 to 2;
+  signal slice1cost_pixels_first_0_4_count_14 : natural range 0 to 2;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 44;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4 : natural range 0 to 44;
+  -- slice1
+  signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 11;
+  signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 11;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_reference_0 : unsigned(43 downto 0);
+  -- slice2cost
+  signal slice2cost_pixels_first_0_0_count_0, slice2cost_pixels_first_0_0_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_2, slice2cost_pixels_first_0_0_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_4, slice2cost_pixels_first_0_0_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_6, slice2cost_pixels_first_0_0_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_8, slice2cost_pixels_first_0_0_count_9 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_10, slice2cost_pixels_first_0_0_count_11 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_12, slice2cost_pixels_first_0_0_count_13 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_0, slice2cost_pixels_first_0_1_count_1 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_2, slice2cost_pixels_first_0_1_count_3 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_4, slice2cost_pixels_first_0_1_count_5 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_6, slice2cost_pixels_first_0_1_count_7 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_8, slice2cost_pixels_first_0_1_count_9 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_10, slice2cost_pixels_first_0_1_count_11 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_1_count_12, slice2cost_pixels_first_0_1_count_13 : natural range 0 to 3;
+  signal slice2cost_pixels_first_0_0_count_14, slice2cost_pixels_first_0_1_count_14 : natural range 0 to 2;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1 : natural range 0 to 44;
+  -- slice2
+  signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 11;
+  -- entry
+  signal entry_next_cost_0, entry_next_cost_1, entry_next_cost_2, entry_next_cost_3 : natural range 0 to 11;
+  signal entry_next_cost_4, entry_next_cost_5, entry_next_cost_6, entry_next_cost_7 : natural range 0 to 11;
+  signal entry_next_cost_8, entry_next_cost_9, entry_next_cost_10, entry_next_cost_11 : natural range 0 to 11;
+  signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 11;
+  signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 11;
+  signal entry_next_tag_valid, entry_next_tag_first_cost, entry_next_tag_map_column : boolean;
+  signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
+  signal entry_order_complete, entry_order_output, entry_order_held_output, entry_order_turned_output_column : boolean;
+  signal entry_order_turned_start_of_frame, entry_tag_valid, entry_tag_first_cost, entry_tag_map_column : boolean;
+  signal entry_tag_end_of_line, entry_turned_output_column, entry_turned_start_of_frame : boolean;
+  signal entry_order_address, entry_place : natural range 0 to 31;
+  -- forward
+  signal forward_next_cost_0, forward_next_cost_1, forward_next_cost_2, forward_next_cost_3 : natural range 0 to 11;
+  signal forward_next_cost_4, forward_next_cost_5, forward_next_cost_6, forward_next_cost_7 : natural range 0 to 11;
+  signal forward_next_cost_8, forward_next_cost_9, forward_next_cost_10, forward_next_cost_11 : natural range 0 to 11;
+  signal forward_next_first, forward_far_0, forward_far_1, forward_far_2, forward_far_3, forward_far_4 : boolean;
+  signal forward_far_5 : boolean;
+  signal forward_pair_cost_0, forward_pair_cost_1, forward_pair_cost_2, forward_pair_cost_3 : natural range 0 to 27;
+  signal forward_pair_cost_4, forward_pair_cost_5, forward_pair_cost_6, forward_pair_cost_7 : natural range 0 to 27;
+  signal forward_pair_cost_8, forward_pair_cost_9, forward_pair_cost_10, forward_pair_cost_11 : natural range 0 to 27;
+  signal forward_path_0, forward_path_1, forward_path_2, forward_path_3, forward_path_4 : natural range 0 to 511;
+  signal forward_path_5, forward_path_6, forward_path_7, forward_path_8, forward_path_9 : natural range 0 to 511;
+  signal forward_path_10, forward_path_11, forward_stayed_0, forward_stayed_1 : natural range 0 to 511;
+  signal forward_stayed_2, forward_stayed_3, forward_stayed_4, forward_stayed_5 : natural range 0 to 511;
+  signal forward_stayed_6, forward_stayed_7, forward_stayed_8, forward_stayed_9 : natural range 0 to 511;
+  signal forward_stayed_10, forward_stayed_11, forward_occluding_0, forward_occluding_1 : natural range 0 to 511;
+  signal forward_occluding_2, forward_occluding_3, forward_occluding_4, forward_occluding_5 : natural range 0 to 511;
+  signal forward_occluding_6, forward_occluding_7, forward_occluding_8, forward_occluding_9 : natural range 0 to 511;
+  signal forward_occluding_10, forward_dropped_0, forward_dropped_1, forward_dropped_2 : natural range 0 to 511;
+  signal forward_dropped_3, forward_dropped_4, forward_dropped_5, forward_dropped_6 : natural range 0 to 511;
+  signal forward_dropped_7, forward_dropped_8, forward_dropped_9, forward_dropped_10 : natural range 0 to 511;
+  signal forward_dropped_11 : natural range 0 to 511;
+  signal forward_decision_0 : natural range 0 to 2;
+  signal forward_decision_1, forward_decision_2, forward_decision_3, forward_decision_4 : natural range 0 to 3;
+  signal forward_decision_5, forward_decision_6, forward_decision_7, forward_decision_8 : natural range 0 to 3;
+  signal forward_decision_9, forward_decision_10, forward_decision_11 : natural range 0 to 3;
+  -- decisions
+  signal decisions_read_words_0 : unsigned(23 downto 0);
+  signal decisions_ready_decision_0, decisions_ready_decision_1, decisions_ready_decision_2 : natural range 0 to 3;
+  signal decisions_ready_decision_3, decisions_ready_decision_4, decisions_ready_decision_5 : natural range 0 to 3;
+  signal decisions_ready_decision_6, decisions_ready_decision_7, decisions_ready_decision_8 : natural range 0 to 3;
+  signal decisions_ready_decision_9, decisions_ready_decision_10, decisions_ready_decision_11 : natural range 0 to 3;
+  signal decisions_ready_inside, decisions_comes_0, decisions_comes_1, decisions_comes_2 : boolean;
+  signal decisions_place_0, decisions_place_1, decisions_place_2, decisions_write_place : natural range 0 to 31;
+  signal decisions_write_words_0 : natural range 0 to 16777214;
+  -- last
+  signal last_tags_held_0_end_of_line, last_tags_held_1_map_column, last_tags_held_1_end_of_line : boolean;
+  signal last_tags_held_2_map_column, last_tags_held_2_end_of_line, last_tags_moved, last_tag_valid : boolean;
+  signal last_tag_map_column, last_tag_end_of_line : boolean;
+  signal last_path_0_0 : natural range 0 to 256;
+  signal last_path_0_1, last_path_0_2, last_path_0_3, last_path_0_4, last_path_0_5 : natural range 0 to 511;
+  signal last_path_0_6, last_path_0_7, last_path_0_8, last_path_0_9, last_path_0_10 : natural range 0 to 511;
+  signal last_path_0_11 : natural range 0 to 511;
+  signal last_state : natural range 0 to 11;
+  -- lastwinner1
+  signal lastwinner1_best_cost_0_0, lastwinner1_best_cost_0_1, lastwinner1_best_cost_0_2 : natural range 0 to 511;
+  signal lastwinner1_best_cost_0_3, lastwinner1_best_cost_0_4, lastwinner1_best_cost_0_5 : natural range 0 to 511;
+  signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
+  signal lastwinner1_tag_end_of_line : boolean;
+  signal lastwinner1_best_index_0_1 : natural range 0 to 3;
+  signal lastwinner1_best_index_0_2 : natural range 0 to 5;
+  signal lastwinner1_best_index_0_3 : natural range 0 to 7;
+  signal lastwinner1_best_index_0_4 : natural range 0 to 9;
+  signal lastwinner1_best_index_0_5 : natural range 0 to 11;
+  -- lastwinner2
+  signal lastwinner2_best_cost_0_0, lastwinner2_best_cost_0_1, lastwinner2_best_cost_0_2 : natural range 0 to 511;
+  signal lastwinner2_best_index_0_0 : natural range 0 to 3;
+  signal lastwinner2_best_index_0_1 : natural range 0 to 7;
+  signal lastwinner2_best_index_0_2 : natural range 0 to 11;
+  signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
+  -- lastwinner3
+  signal lastwinner3_best_cost_0_0, lastwinner3_best_cost_0_1 : natural range 0 to 511;
+  signal lastwinner3_best_index_0_0 : natural range 0 to 7;
+  signal lastwinner3_best_index_0_1 : natural range 0 to 11;
+  signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
+  -- lastwinner4
+  signal lastwinner4_best_index_0_0 : natural range 0 to 11;
+  signal lastwinner4_tag_valid, lastwinner4_tag_map_column, lastwinner4_tag_end_of_line : boolean;
+  -- traceback
+  signal traceback_state, traceback_out_disparity_0 : natural range 0 to 255;
+  signal traceback_decision, traceback_falling : natural range 0 to 3;
+  signal traceback_tags_held_0_output_column, traceback_tags_held_0_start_of_frame : boolean;
+  signal traceback_tags_held_1_output_column, traceback_tags_held_1_start_of_frame, traceback_out_passed_0 : boolean;
+  signal traceback_out_tag_map_column, traceback_out_tag_output_column, traceback_out_tag_start_of_frame : boolean;
+  signal traceback_out_tag_end_of_line : boolean;
+  -- turn
+  signal turn_order_address, turn_write_place : natural range 0 to 31;
+  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
+  signal turn_order_held_output, turn_order_turned_map_column, turn_order_turned_output_column : boolean;
+  signal turn_order_turned_first_column, turn_comes, turn_read_tag_map_column, turn_read_tag_output_column : boolean;
+  signal turn_read_tag_first_column, turn_ready_tag_map_column, turn_ready_tag_output_column : boolean;
+  signal turn_ready_tag_first_column : boolean;
+  signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
+  signal turn_read_words_0 : unsigned(8 downto 0);
+  -- fill
+  signal fill_out_disparity_0 : natural range 0 to 255;
+  signal fill_out_passed_0, fill_out_tag_output_column : boolean;
+  -- other
+  signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
+  signal other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11, other_12 : natural range 0 to 44;
+  signal other_13, other_14, other_15, other_16, other_17, other_18, other_19, other_20 : natural range 0 to 44;
+  signal other_21, other_22, other_23, other_24, other_25, other_26, other_27 : natural range 0 to 44;
+  signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+
+begin
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
+  disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_start_of_frame <= as_bit(((other_3 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_end_of_line <= as_bit(((other_3 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+
+  decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
+  decisions_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => decisions_read_words_0,
+      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  process (clock)
+    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
+    variable transform_read_column_inside_0_value, transform_read_column_inside_0_value_2 : boolean;
+    variable transform_read_column_inside_0_value_3, transform_read_column_inside_1_differs : boolean;
+    variable transform_read_column_inside_2_is_equal, transform_read_column_inside_2_choice : boolean;
+    variable transform_read_column_inside_3_value, transform_read_column_inside_5_is_equal : boolean;
+    variable transform_read_column_inside_5_choice, transform_read_column_inside_5_choice_2 : boolean;
+    variable transform_read_column_inside_5_is_equal_2, transform_read_column_inside_5_choice_3 : boolean;
+    variable transform_read_column_inside_6_choice, transform_read_column_inside_6_choice_2 : boolean;
+    variable transform_read_column_inside_7_choice, transform_left_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
+    variable transform_left_filter_feature_0_value_2, transform_left_filter_feature_0_choice_3 : boolean;
+    variable transform_left_filter_feature_0_value_3, transform_left_filter_feature_0_choice_4 : boolean;
+    variable transform_left_filter_feature_0_value_4, transform_left_filter_feature_0_choice_5 : boolean;
+    variable transform_left_filter_feature_0_value_5, transform_left_filter_feature_0_choice_6 : boolean;
+    variable transform_left_filter_feature_0_value_6, transform_left_filter_feature_0_choice_7 : boolean;
+    variable transform_left_filter_feature_0_choice_8, transform_left_filter_feature_0_choice_9 : boolean;
+    variable transform_left_filter_feature_0_choice_10, transform_left_filter_feature_0_choice_11 : boolean;
+    variable transform_left_filter_feature_0_choice_12, transform_left_filter_feature_0_choice_13 : boolean;
+    variable transform_left_filter_feature_0_choice_14, transform_left_filter_feature_0_choice_15 : boolean;
+    variable transform_left_filter_feature_0_choice_16, transform_left_filter_feature_0_choice_17 : boolean;
+    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
+    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
+    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
+    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_choice_25 : boolean;
+    variable transform_left_filter_feature_0_choice_26, transform_left_filter_feature_0_choice_27 : boolean;
+    variable transform_left_filter_feature_0_choice_28, transform_left_filter_feature_0_choice_29 : boolean;
+    variable transform_left_filter_feature_0_choice_30, transform_left_filter_feature_0_choice_31 : boolean;
+    variable transform_left_filter_feature_0_choice_32, transform_left_filter_feature_0_choice_33 : boolean;
+    variable transform_left_filter_feature_0_choice_34, transform_left_filter_feature_0_choice_35 : boolean;
+    variable transform_left_filter_feature_0_choice_36, transform_left_filter_feature_0_choice_37 : boolean;
+    variable transform_left_filter_feature_0_choice_38, transform_left_filter_feature_0_choice_39 : boolean;
+    variable transform_left_filter_feature_0_choice_40, transform_left_filter_feature_0_choice_41 : boolean;
+    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
+    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
+    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
+    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
+    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_choice_51 : boolean;
+    variable transform_left_filter_feature_0_choice_52, transform_left_filter_feature_0_choice_53 : boolean;
+    variable transform_left_filter_feature_0_choice_54, transform_left_filter_feature_0_choice_55 : boolean;
+    variable transform_left_filter_feature_0_choice_56, transform_left_filter_feature_0_choice_57 : boolean;
+    variable transform_left_filter_feature_0_choice_58, transform_left_filter_feature_0_choice_59 : boolean;
+    variable transform_left_filter_feature_0_choice_60, transform_left_filter_feature_0_choice_61 : boolean;
+    variable transform_left_filter_feature_0_choice_62, transform_left_filter_feature_0_choice_63 : boolean;
+    variable transform_left_filter_feature_0_choice_64, transform_left_filter_feature_0_choice_65 : boolean;
+    variable transform_left_filter_feature_0_choice_66, transform_left_filter_feature_0_choice_67 : boolean;
+    variable transform_left_filter_feature_0_choice_68, transform_left_filter_feature_0_choice_69 : boolean;
+    variable transform_left_filter_feature_0_choice_70, transform_left_filter_feature_0_choice_71 : boolean;
+    variable transform_left_filter_feature_0_choice_72, transform_left_filter_feature_0_choice_73 : boolean;
+    variable transform_left_filter_feature_0_choice_74, transform_left_filter_feature_0_choice_75 : boolean;
+    variable transform_left_filter_feature_0_choice_76, transform_left_filter_feature_0_choice_77 : boolean;
+    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
+    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
+    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
+    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
+    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
+    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
+    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
+    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
+    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
+    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
+    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
+    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
+    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_choice_103 : boolean;
+    variable transform_left_filter_feature_0_choice_104, transform_left_filter_feature_0_choice_105 : boolean;
+    variable transform_left_filter_feature_0_choice_106, transform_left_filter_feature_0_choice_107 : boolean;
+    variable transform_left_filter_feature_0_choice_108, transform_left_filter_feature_0_choice_109 : boolean;
+    variable transform_left_filter_feature_0_choice_110, transform_left_filter_feature_0_choice_111 : boolean;
+    variable transform_left_filter_feature_0_choice_112, transform_left_filter_feature_0_choice_113 : boolean;
+    variable transform_left_filter_feature_0_choice_114, transform_left_filter_feature_0_choice_115 : boolean;
+    variable transform_left_filter_feature_0_choice_116, transform_left_filter_feature_0_choice_117 : boolean;
+    variable transform_left_filter_feature_0_choice_118, transform_left_filter_feature_0_choice_119 : boolean;
+    variable transform_left_filter_feature_0_choice_120, transform_left_filter_feature_0_choice_121 : boolean;
+    variable transform_left_filter_feature_0_choice_122, transform_left_filter_feature_0_choice_123 : boolean;
+    variable transform_left_filter_feature_0_choice_124, transform_left_filter_feature_0_choice_125 : boolean;
+    variable transform_left_filter_feature_0_choice_126, transform_left_filter_feature_0_choice_127 : boolean;
+    variable transform_left_filter_feature_0_choice_128, transform_left_filter_feature_0_choice_129 : boolean;
+    variable transform_left_filter_feature_0_choice_130, transform_left_filter_feature_0_choice_131 : boolean;
+    variable transform_left_filter_feature_0_choice_132, transform_left_filter_feature_0_choice_133 : boolean;
+    variable transform_left_filter_feature_0_choice_134, transform_left_filter_feature_0_choice_135 : boolean;
+    variable transform_left_filter_feature_0_choice_136, transform_left_filter_feature_0_choice_137 : boolean;
+    variable transform_left_filter_feature_0_choice_138, transform_left_filter_feature_0_choice_139 : boolean;
+    variable transform_left_filter_feature_0_choice_140, transform_left_filter_feature_0_choice_141 : boolean;
+    variable transform_left_filter_feature_0_choice_142, transform_left_filter_feature_0_choice_143 : boolean;
+    variable transform_left_filter_feature_0_choice_144, transform_left_filter_feature_0_choice_145 : boolean;
+    variable transform_left_filter_feature_0_choice_146, transform_left_filter_feature_0_choice_147 : boolean;
+    variable transform_left_filter_feature_0_choice_148, transform_left_filter_feature_0_choice_149 : boolean;
+    variable transform_left_filter_feature_0_choice_150, transform_left_filter_feature_0_choice_151 : boolean;
+    variable transform_left_filter_feature_0_choice_152, transform_left_filter_feature_0_choice_153 : boolean;
+    variable transform_left_filter_feature_0_choice_154, transform_left_filter_feature_0_choice_155 : boolean;
+    variable transform_left_filter_feature_0_choice_156, transform_left_filter_feature_0_choice_157 : boolean;
+    variable transform_left_filter_feature_0_choice_158, transform_left_filter_feature_0_choice_159 : boolean;
+    variable transform_left_filter_feature_0_choice_160, transform_left_filter_feature_0_choice_161 : boolean;
+    variable transform_left_filter_feature_0_choice_162, transform_left_filter_feature_0_choice_163 : boolean;
+    variable transform_left_filter_feature_0_choice_164, transform_left_filter_feature_0_choice_165 : boolean;
+    variable transform_left_filter_feature_0_choice_166, transform_left_filter_feature_0_choice_167 : boolean;
+    variable transform_left_filter_feature_0_choice_168, transform_left_filter_feature_0_choice_169 : boolean;
+    variable transform_left_filter_feature_0_choice_170, transform_left_filter_feature_0_choice_171 : boolean;
+    variable transform_left_filter_feature_0_choice_172, transform_left_filter_feature_0_choice_173 : boolean;
+    variable transform_left_filter_feature_0_choice_174, transform_left_filter_feature_0_choice_175 : boolean;
+    variable transform_left_filter_feature_0_choice_176, transform_left_filter_feature_0_choice_177 : boolean;
+    variable transform_left_filter_feature_0_choice_178, transform_left_filter_feature_0_choice_179 : boolean;
+    variable transform_left_filter_feature_0_choice_180, transform_left_filter_feature_0_choice_181 : boolean;
+    variable transform_left_filter_feature_0_choice_182, transform_left_filter_feature_0_choice_183 : boolean;
+    variable transform_left_filter_feature_0_choice_184, transform_left_filter_feature_0_choice_185 : boolean;
+    variable transform_left_filter_feature_0_choice_186, transform_left_filter_feature_0_choice_187 : boolean;
+    variable transform_left_filter_feature_0_choice_188, transform_left_filter_feature_0_choice_189 : boolean;
+    variable transform_left_filter_feature_0_choice_190, transform_left_filter_feature_0_choice_191 : boolean;
+    variable transform_left_filter_feature_0_choice_192, transform_left_filter_feature_0_choice_193 : boolean;
+    variable transform_left_filter_feature_0_choice_194, transform_left_filter_feature_0_choice_195 : boolean;
+    variable transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_choice_197 : boolean;
+    variable transform_left_filter_feature_0_choice_198, transform_left_filter_feature_0_choice_199 : boolean;
+    variable transform_left_filter_feature_0_choice_200, transform_left_filter_feature_0_choice_201 : boolean;
+    variable transform_left_filter_feature_0_choice_202, transform_left_filter_feature_0_choice_203 : boolean;
+    variable transform_left_filter_feature_0_choice_204, transform_left_filter_feature_0_choice_205 : boolean;
+    variable transform_left_filter_feature_0_choice_206, transform_left_filter_feature_0_choice_207 : boolean;
+    variable transform_left_filter_feature_0_choice_208, transform_left_filter_feature_0_choice_209 : boolean;
+    variable transform_left_filter_feature_0_choice_210, transform_left_filter_feature_0_choice_211 : boolean;
+    variable transform_left_filter_feature_0_choice_212, transform_left_filter_feature_0_choice_213 : boolean;
+    variable transform_left_filter_feature_0_choice_214, transform_left_filter_feature_0_choice_215 : boolean;
+    variable transform_left_filter_feature_0_choice_216, transform_left_filter_feature_0_choice_217 : boolean;
+    variable transform_left_filter_feature_0_choice_218, transform_left_filter_feature_0_choice_219 : boolean;
+    variable transform_left_filter_feature_0_choice_220, transform_left_filter_feature_0_choice_221 : boolean;
+    variable transform_left_filter_feature_0_choice_222, transform_left_filter_feature_0_choice_223 : boolean;
+    variable transform_left_filter_feature_0_choice_224, transform_left_filter_feature_0_choice_225 : boolean;
+    variable transform_left_filter_feature_0_choice_226, transform_left_filter_feature_0_choice_227 : boolean;
+    variable transform_left_filter_feature_0_choice_228, transform_left_filter_feature_0_choice_229 : boolean;
+    variable transform_left_filter_feature_0_choice_230, transform_left_filter_feature_0_choice_231 : boolean;
+    variable transform_left_filter_feature_0_choice_232, transform_left_filter_feature_0_choice_233 : boolean;
+    variable transform_left_filter_feature_0_choice_234, transform_left_filter_feature_0_choice_235 : boolean;
+    variable transform_left_filter_feature_0_choice_236, transform_left_filter_feature_0_choice_237 : boolean;
+    variable transform_left_filter_feature_0_choice_238, transform_left_filter_feature_0_choice_239 : boolean;
+    variable transform_left_filter_feature_0_choice_240, transform_left_filter_feature_0_choice_241 : boolean;
+    variable transform_left_filter_feature_0_choice_242, transform_left_filter_feature_0_choice_243 : boolean;
+    variable transform_left_filter_feature_0_choice_244, transform_left_filter_feature_0_choice_245 : boolean;
+    variable transform_left_filter_feature_0_choice_246, transform_left_filter_feature_0_choice_247 : boolean;
+    variable transform_left_filter_feature_0_choice_248, transform_left_filter_feature_0_choice_249 : boolean;
+    variable transform_left_filter_feature_0_choice_250, transform_left_filter_feature_0_choice_251 : boolean;
+    variable transform_left_filter_feature_0_choice_252, transform_left_filter_feature_0_choice_253 : boolean;
+    variable transform_left_filter_feature_0_choice_254, transform_left_filter_feature_0_choice_255 : boolean;
+    variable transform_left_filter_feature_0_choice_256, transform_left_filter_feature_0_choice_257 : boolean;
+    variable transform_left_filter_feature_0_choice_258, transform_left_filter_feature_0_choice_259 : boolean;
+    variable transform_left_filter_feature_0_choice_260, transform_left_filter_feature_0_choice_261 : boolean;
+    variable transform_left_filter_feature_0_choice_262, transform_left_filter_feature_0_choice_263 : boolean;
+    variable transform_left_filter_feature_0_choice_264, transform_left_filter_feature_0_choice_265 : boolean;
+    variable transform_left_filter_feature_0_choice_266, transform_left_filter_feature_0_choice_267 : boolean;
+    variable transform_left_filter_feature_0_choice_268, transform_left_filter_feature_0_choice_269 : boolean;
+    variable transform_left_filter_feature_0_choice_270, transform_left_filter_feature_0_choice_271 : boolean;
+    variable transform_left_filter_feature_0_choice_272, transform_left_filter_feature_0_choice_273 : boolean;
+    variable transform_left_filter_feature_0_choice_274, transform_left_filter_feature_0_choice_275 : boolean;
+    variable transform_left_filter_feature_0_choice_276, transform_left_filter_feature_0_choice_277 : boolean;
+    variable transform_left_filter_feature_0_choice_278, transform_left_filter_feature_0_choice_279 : boolean;
+    variable transform_left_filter_feature_0_choice_280, transform_left_filter_feature_0_choice_281 : boolean;
+    variable transform_left_filter_feature_0_choice_282, transform_left_filter_feature_0_choice_283 : boolean;
+    variable transform_left_filter_feature_0_choice_284, transform_left_filter_feature_0_choice_285 : boolean;
+    variable transform_left_filter_feature_0_choice_286, transform_left_filter_feature_0_choice_287 : boolean;
+    variable transform_left_filter_feature_0_choice_288, transform_left_filter_feature_0_choice_289 : boolean;
+    variable transform_left_filter_feature_0_choice_290, transform_left_filter_feature_0_choice_291 : boolean;
+    variable transform_left_filter_feature_0_choice_292, transform_left_filter_feature_0_choice_293 : boolean;
+    variable transform_left_filter_feature_0_choice_294, transform_left_filter_feature_0_choice_295 : boolean;
+    variable transform_left_filter_feature_0_choice_296, transform_left_filter_feature_0_choice_297 : boolean;
+    variable transform_left_filter_feature_0_choice_298, transform_left_filter_feature_0_choice_299 : boolean;
+    variable transform_left_filter_feature_0_choice_300, transform_left_filter_feature_0_choice_301 : boolean;
+    variable transform_left_filter_feature_0_choice_302, transform_left_filter_feature_0_choice_303 : boolean;
+    variable transform_left_filter_feature_0_choice_304, transform_left_filter_feature_0_choice_305 : boolean;
+    variable transform_left_filter_feature_0_choice_306, transform_left_filter_feature_0_choice_307 : boolean;
+    variable transform_left_filter_feature_0_choice_308, transform_left_filter_feature_0_choice_309 : boolean;
+    variable transform_left_filter_feature_0_choice_310, transform_left_filter_feature_0_choice_311 : boolean;
+    variable transform_left_filter_feature_0_choice_312, transform_left_filter_feature_0_choice_313 : boolean;
+    variable transform_left_filter_feature_0_choice_314, transform_left_filter_feature_0_choice_315 : boolean;
+    variable transform_left_filter_feature_0_choice_316, transform_left_filter_feature_0_choice_317 : boolean;
+    variable transform_left_filter_feature_0_choice_318, transform_left_filter_feature_0_choice_319 : boolean;
+    variable transform_left_filter_feature_0_choice_320, transform_left_filter_feature_0_choice_321 : boolean;
+    variable transform_left_filter_feature_0_choice_322, transform_left_filter_feature_0_choice_323 : boolean;
+    variable transform_left_filter_feature_0_choice_324, transform_left_filter_feature_0_choice_325 : boolean;
+    variable transform_left_filter_feature_0_choice_326, transform_left_filter_feature_0_choice_327 : boolean;
+    variable transform_left_filter_feature_0_choice_328, transform_left_filter_feature_0_choice_329 : boolean;
+    variable transform_left_filter_feature_0_choice_330, transform_left_filter_feature_0_choice_331 : boolean;
+    variable transform_left_filter_feature_0_choice_332, transform_left_filter_feature_0_choice_333 : boolean;
+    variable transform_left_filter_feature_0_choice_334, transform_left_filter_feature_0_choice_335 : boolean;
+    variable transform_left_filter_feature_0_choice_336, transform_left_filter_feature_0_choice_337 : boolean;
+    variable transform_left_filter_feature_0_choice_338, transform_left_filter_feature_0_choice_339 : boolean;
+    variable transform_left_filter_feature_0_choice_340, transform_left_filter_feature_0_choice_341 : boolean;
+    variable transform_left_filter_feature_0_choice_342, transform_left_filter_feature_0_choice_343 : boolean;
+    variable transform_left_filter_feature_0_choice_344, transform_left_filter_feature_0_choice_345 : boolean;
+    variable transform_left_filter_feature_0_choice_346, transform_left_filter_feature_0_value_7 : boolean;
+    variable transform_left_filter_feature_0_choice_347, transform_left_filter_feature_0_value_8 : boolean;
+    variable transform_left_filter_feature_0_choice_348, transform_left_filter_feature_0_value_9 : boolean;
+    variable transform_left_filter_feature_0_choice_349, transform_left_filter_feature_0_value_10 : boolean;
+    variable transform_left_filter_feature_0_choice_350, transform_left_filter_feature_0_value_11 : boolean;
+    variable transform_left_filter_feature_0_choice_351, transform_left_filter_feature_0_choice_352 : boolean;
+    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_right_filter_feature_0_choice_2, transform_right_filter_feature_0_value_2 : boolean;
+    variable transform_right_filter_feature_0_choice_3, transform_right_filter_feature_0_value_3 : boolean;
+    variable transform_right_filter_feature_0_choice_4, transform_right_filter_feature_0_value_4 : boolean;
+    variable transform_right_filter_feature_0_choice_5, transform_right_filter_feature_0_value_5 : boolean;
+    variable transform_right_filter_feature_0_choice_6, transform_right_filter_feature_0_value_6 : boolean;
+    variable transform_right_filter_feature_0_choice_7, transform_right_filter_feature_0_choice_8 : boolean;
+    variable transform_right_filter_feature_0_choice_9, transform_right_filter_feature_0_choice_10 : boolean;
+    variable transform_right_filter_feature_0_choice_11, transform_right_filter_feature_0_choice_12 : boolean;
+    variable transform_right_filter_feature_0_choice_13, transform_right_filter_feature_0_choice_14 : boolean;
+    variable transform_right_filter_feature_0_choice_15, transform_right_filter_feature_0_choice_16 : boolean;
+    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
+    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
+    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
+    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
+    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
+    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
+    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_choice_30 : boolean;
+    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_choice_32 : boolean;
+    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
+    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
+    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
+    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
+    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
+    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
+    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
+    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
+    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
+    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_choice_52 : boolean;
+    variable transform_right_filter_feature_0_choice_53, transform_right_filter_feature_0_choice_54 : boolean;
+    variable transform_right_filter_feature_0_choice_55, transform_right_filter_feature_0_choice_56 : boolean;
+    variable transform_right_filter_feature_0_choice_57, transform_right_filter_feature_0_choice_58 : boolean;
+    variable transform_right_filter_feature_0_choice_59, transform_right_filter_feature_0_choice_60 : boolean;
+    variable transform_right_filter_feature_0_choice_61, transform_right_filter_feature_0_choice_62 : boolean;
+    variable transform_right_filter_feature_0_choice_63, transform_right_filter_feature_0_choice_64 : boolean;
+    variable transform_right_filter_feature_0_choice_65, transform_right_filter_feature_0_choice_66 : boolean;
+    variable transform_right_filter_feature_0_choice_67, transform_right_filter_feature_0_choice_68 : boolean;
+    variable transform_right_filter_feature_0_choice_69, transform_right_filter_feature_0_choice_70 : boolean;
+    variable transform_right_filter_feature_0_choice_71, transform_right_filter_feature_0_choice_72 : boolean;
+    variable transform_right_filter_feature_0_choice_73, transform_right_filter_feature_0_choice_74 : boolean;
+    variable transform_right_filter_feature_0_choice_75, transform_right_filter_feature_0_choice_76 : boolean;
+    variable transform_right_filter_feature_0_choice_77, transform_right_filter_feature_0_choice_78 : boolean;
+    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
+    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_choice_82 : boolean;
+    variable transform_right_filter_feature_0_choice_83, transform_right_filter_feature_0_choice_84 : boolean;
+    variable transform_right_filter_feature_0_choice_85, transform_right_filter_feature_0_choice_86 : boolean;
+    variable transform_right_filter_feature_0_choice_87, transform_right_filter_feature_0_choice_88 : boolean;
+    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_choice_90 : boolean;
+    variable transform_right_filter_feature_0_choice_91, transform_right_filter_feature_0_choice_92 : boolean;
+    variable transform_right_filter_feature_0_choice_93, transform_right_filter_feature_0_choice_94 : boolean;
+    variable transform_right_filter_feature_0_choice_95, transform_right_filter_feature_0_choice_96 : boolean;
+    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
+    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
+    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
+    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
+    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_choice_106 : boolean;
+    variable transform_right_filter_feature_0_choice_107, transform_right_filter_feature_0_choice_108 : boolean;
+    variable transform_right_filter_feature_0_choice_109, transform_right_filter_feature_0_choice_110 : boolean;
+    variable transform_right_filter_feature_0_choice_111, transform_right_filter_feature_0_choice_112 : boolean;
+    variable transform_right_filter_feature_0_choice_113, transform_right_filter_feature_0_choice_114 : boolean;
+    variable transform_right_filter_feature_0_choice_115, transform_right_filter_feature_0_choice_116 : boolean;
+    variable transform_right_filter_feature_0_choice_117, transform_right_filter_feature_0_choice_118 : boolean;
+    variable transform_right_filter_feature_0_choice_119, transform_right_filter_feature_0_choice_120 : boolean;
+    variable transform_right_filter_feature_0_choice_121, transform_right_filter_feature_0_choice_122 : boolean;
+    variable transform_right_filter_feature_0_choice_123, transform_right_filter_feature_0_choice_124 : boolean;
+    variable transform_right_filter_feature_0_choice_125, transform_right_filter_feature_0_choice_126 : boolean;
+    variable transform_right_filter_feature_0_choice_127, transform_right_filter_feature_0_choice_128 : boolean;
+    variable transform_right_filter_feature_0_choice_129, transform_right_filter_feature_0_choice_130 : boolean;
+    variable transform_right_filter_feature_0_choice_131, transform_right_filter_feature_0_choice_132 : boolean;
+    variable transform_right_filter_feature_0_choice_133, transform_right_filter_feature_0_choice_134 : boolean;
+    variable transform_right_filter_feature_0_choice_135, transform_right_filter_feature_0_choice_136 : boolean;
+    variable transform_right_filter_feature_0_choice_137, transform_right_filter_feature_0_choice_138 : boolean;
+    variable transform_right_filter_feature_0_choice_139, transform_right_filter_feature_0_choice_140 : boolean;
+    variable transform_right_filter_feature_0_choice_141, transform_right_filter_feature_0_choice_142 : boolean;
+    variable transform_right_filter_feature_0_choice_143, transform_right_filter_feature_0_choice_144 : boolean;
+    variable transform_right_filter_feature_0_choice_145, transform_right_filter_feature_0_choice_146 : boolean;
+    variable transform_right_filter_feature_0_choice_147, transform_right_filter_feature_0_choice_148 : boolean;
+    variable transform_right_filter_feature_0_choice_149, transform_right_filter_feature_0_choice_150 : boolean;
+    variable transform_right_filter_feature_0_choice_151, transform_right_filter_feature_0_choice_152 : boolean;
+    variable transform_right_filter_feature_0_choice_153, transform_right_filter_feature_0_choice_154 : boolean;
+    variable transform_right_filter_feature_0_choice_155, transform_right_filter_feature_0_choice_156 : boolean;
+    variable transform_right_filter_feature_0_choice_157, transform_right_filter_feature_0_choice_158 : boolean;
+    variable transform_right_filter_feature_0_choice_159, transform_right_filter_feature_0_choice_160 : boolean;
+    variable transform_right_filter_feature_0_choice_161, transform_right_filter_feature_0_choice_162 : boolean;
+    variable transform_right_filter_feature_0_choice_163, transform_right_filter_feature_0_choice_164 : boolean;
+    variable transform_right_filter_feature_0_choice_165, transform_right_filter_feature_0_choice_166 : boolean;
+    variable transform_right_filter_feature_0_choice_167, transform_right_filter_feature_0_choice_168 : boolean;
+    variable transform_right_filter_feature_0_choice_169, transform_right_filter_feature_0_choice_170 : boolean;
+    variable transform_right_filter_feature_0_choice_171, transform_right_filter_feature_0_choice_172 : boolean;
+    variable transform_right_filter_feature_0_choice_173, transform_right_filter_feature_0_choice_174 : boolean;
+    variable transform_right_filter_feature_0_choice_175, transform_right_filter_feature_0_choice_176 : boolean;
+    variable transform_right_filter_feature_0_choice_177, transform_right_filter_feature_0_choice_178 : boolean;
+    variable transform_right_filter_feature_0_choice_179, transform_right_filter_feature_0_choice_180 : boolean;
+    variable transform_right_filter_feature_0_choice_181, transform_right_filter_feature_0_choice_182 : boolean;
+    variable transform_right_filter_feature_0_choice_183, transform_right_filter_feature_0_choice_184 : boolean;
+    variable transform_right_filter_feature_0_choice_185, transform_right_filter_feature_0_choice_186 : boolean;
+    variable transform_right_filter_feature_0_choice_187, transform_right_filter_feature_0_choice_188 : boolean;
+    variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_choice_190 : boolean;
+    variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
+    variable transform_right_filter_feature_0_choice_193, transform_right_filter_feature_0_choice_194 : boolean;
+    variable transform_right_filter_feature_0_choice_195, transform_right_filter_feature_0_choice_196 : boolean;
+    variable transform_right_filter_feature_0_choice_197, transform_right_filter_feature_0_choice_198 : boolean;
+    variable transform_right_filter_feature_0_choice_199, transform_right_filter_feature_0_choice_200 : boolean;
+    variable transform_right_filter_feature_0_choice_201, transform_right_filter_feature_0_choice_202 : boolean;
+    variable transform_right_filter_feature_0_choice_203, transform_right_filter_feature_0_choice_204 : boolean;
+    variable transform_right_filter_feature_0_choice_205, transform_right_filter_feature_0_choice_206 : boolean;
+    variable transform_right_filter_feature_0_choice_207, transform_right_filter_feature_0_choice_208 : boolean;
+    variable transform_right_filter_feature_0_choice_209, transform_right_filter_feature_0_choice_210 : boolean;
+    variable transform_right_filter_feature_0_choice_211, transform_right_filter_feature_0_choice_212 : boolean;
+    variable transform_right_filter_feature_0_choice_213, transform_right_filter_feature_0_choice_214 : boolean;
+    variable transform_right_filter_feature_0_choice_215, transform_right_filter_feature_0_choice_216 : boolean;
+    variable transform_right_filter_feature_0_choice_217, transform_right_filter_feature_0_choice_218 : boolean;
+    variable transform_right_filter_feature_0_choice_219, transform_right_filter_feature_0_choice_220 : boolean;
+    variable transform_right_filter_feature_0_choice_221, transform_right_filter_feature_0_choice_222 : boolean;
+    variable transform_right_filter_feature_0_choice_223, transform_right_filter_feature_0_choice_224 : boolean;
+    variable transform_right_filter_feature_0_choice_225, transform_right_filter_feature_0_choice_226 : boolean;
+    variable transform_right_filter_feature_0_choice_227, transform_right_filter_feature_0_choice_228 : boolean;
+    variable transform_right_filter_feature_0_choice_229, transform_right_filter_feature_0_choice_230 : boolean;
+    variable transform_right_filter_feature_0_choice_231, transform_right_filter_feature_0_choice_232 : boolean;
+    variable transform_right_filter_feature_0_choice_233, transform_right_filter_feature_0_choice_234 : boolean;
+    variable transform_right_filter_feature_0_choice_235, transform_right_filter_feature_0_choice_236 : boolean;
+    variable transform_right_filter_feature_0_choice_237, transform_right_filter_feature_0_choice_238 : boolean;
+    variable transform_right_filter_feature_0_choice_239, transform_right_filter_feature_0_choice_240 : boolean;
+    variable transform_right_filter_feature_0_choice_241, transform_right_filter_feature_0_choice_242 : boolean;
+    variable transform_right_filter_feature_0_choice_243, transform_right_filter_feature_0_choice_244 : boolean;
+    variable transform_right_filter_feature_0_choice_245, transform_right_filter_feature_0_choice_246 : boolean;
+    variable transform_right_filter_feature_0_choice_247, transform_right_filter_feature_0_choice_248 : boolean;
+    variable transform_right_filter_feature_0_choice_249, transform_right_filter_feature_0_choice_250 : boolean;
+    variable transform_right_filter_feature_0_choice_251, transform_right_filter_feature_0_choice_252 : boolean;
+    variable transform_right_filter_feature_0_choice_253, transform_right_filter_feature_0_choice_254 : boolean;
+    variable transform_right_filter_feature_0_choice_255, transform_right_filter_feature_0_choice_256 : boolean;
+    variable transform_right_filter_feature_0_choice_257, transform_right_filter_feature_0_choice_258 : boolean;
+    variable transform_right_filter_feature_0_choice_259, transform_right_filter_feature_0_choice_260 : boolean;
+    variable transform_right_filter_feature_0_choice_261, transform_right_filter_feature_0_choice_262 : boolean;
+    variable transform_right_filter_feature_0_choice_263, transform_right_filter_feature_0_choice_264 : boolean;
+    variable transform_right_filter_feature_0_choice_265, transform_right_filter_feature_0_choice_266 : boolean;
+    variable transform_right_filter_feature_0_choice_267, transform_right_filter_feature_0_choice_268 : boolean;
+    variable transform_right_filter_feature_0_choice_269, transform_right_filter_feature_0_choice_270 : boolean;
+    variable transform_right_filter_feature_0_choice_271, transform_right_filter_feature_0_choice_272 : boolean;
+    variable transform_right_filter_feature_0_choice_273, transform_right_filter_feature_0_choice_274 : boolean;
+    variable transform_right_filter_feature_0_choice_275, transform_right_filter_feature_0_choice_276 : boolean;
+    variable transform_right_filter_feature_0_choice_277, transform_right_filter_feature_0_choice_278 : boolean;
+    variable transform_right_filter_feature_0_choice_279, transform_right_filter_feature_0_choice_280 : boolean;
+    variable transform_right_filter_feature_0_choice_281, transform_right_filter_feature_0_choice_282 : boolean;
+    variable transform_right_filter_feature_0_choice_283, transform_right_filter_feature_0_choice_284 : boolean;
+    variable transform_right_filter_feature_0_choice_285, transform_right_filter_feature_0_choice_286 : boolean;
+    variable transform_right_filter_feature_0_choice_287, transform_right_filter_feature_0_choice_288 : boolean;
+    variable transform_right_filter_feature_0_choice_289, transform_right_filter_feature_0_choice_290 : boolean;
+    variable transform_right_filter_feature_0_choice_291, transform_right_filter_feature_0_choice_292 : boolean;
+    variable transform_right_filter_feature_0_choice_293, transform_right_filter_feature_0_choice_294 : boolean;
+    variable transform_right_filter_feature_0_choice_295, transform_right_filter_feature_0_choice_296 : boolean;
+    variable transform_right_filter_feature_0_choice_297, transform_right_filter_feature_0_choice_298 : boolean;
+    variable transform_right_filter_feature_0_choice_299, transform_right_filter_feature_0_choice_300 : boolean;
+    variable transform_right_filter_feature_0_choice_301, transform_right_filter_feature_0_choice_302 : boolean;
+    variable transform_right_filter_feature_0_choice_303, transform_right_filter_feature_0_choice_304 : boolean;
+    variable transform_right_filter_feature_0_choice_305, transform_right_filter_feature_0_choice_306 : boolean;
+    variable transform_right_filter_feature_0_choice_307, transform_right_filter_feature_0_choice_308 : boolean;
+    variable transform_right_filter_feature_0_choice_309, transform_right_filter_feature_0_choice_310 : boolean;
+    variable transform_right_filter_feature_0_choice_311, transform_right_filter_feature_0_choice_312 : boolean;
+    variable transform_right_filter_feature_0_choice_313, transform_right_filter_feature_0_choice_314 : boolean;
+    variable transform_right_filter_feature_0_choice_315, transform_right_filter_feature_0_choice_316 : boolean;
+    variable transform_right_filter_feature_0_choice_317, transform_right_filter_feature_0_choice_318 : boolean;
+    variable transform_right_filter_feature_0_choice_319, transform_right_filter_feature_0_choice_320 : boolean;
+    variable transform_right_filter_feature_0_choice_321, transform_right_filter_feature_0_choice_322 : boolean;
+    variable transform_right_filter_feature_0_choice_323, transform_right_filter_feature_0_choice_324 : boolean;
+    variable transform_right_filter_feature_0_choice_325, transform_right_filter_feature_0_choice_326 : boolean;
+    variable transform_right_filter_feature_0_choice_327, transform_right_filter_feature_0_choice_328 : boolean;
+    variable transform_right_filter_feature_0_choice_329, transform_right_filter_feature_0_choice_330 : boolean;
+    variable transform_right_filter_feature_0_choice_331, transform_right_filter_feature_0_choice_332 : boolean;
+    variable transform_right_filter_feature_0_choice_333, transform_right_filter_feature_0_choice_334 : boolean;
+    variable transform_right_filter_feature_0_choice_335, transform_right_filter_feature_0_choice_336 : boolean;
+    variable transform_right_filter_feature_0_choice_337, transform_right_filter_feature_0_choice_338 : boolean;
+    variable transform_right_filter_feature_0_choice_339, transform_right_filter_feature_0_choice_340 : boolean;
+    variable transform_right_filter_feature_0_choice_341, transform_right_filter_feature_0_choice_342 : boolean;
+    variable transform_right_filter_feature_0_choice_343, transform_right_filter_feature_0_choice_344 : boolean;
+    variable transform_right_filter_feature_0_choice_345, transform_right_filter_feature_0_choice_346 : boolean;
+    variable transform_right_filter_feature_0_value_7, transform_right_filter_feature_0_choice_347 : boolean;
+    variable transform_right_filter_feature_0_value_8, transform_right_filter_feature_0_choice_348 : boolean;
+    variable transform_right_filter_feature_0_value_9, transform_right_filter_feature_0_choice_349 : boolean;
+    variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_350 : boolean;
+    variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_351 : boolean;
+    variable transform_right_filter_feature_0_choice_352, transform_counter_next_frame_choice : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_7_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_6, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_value, slice0cost_pixels_first_0_0_count_8_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_choice, slice0cost_pixels_first_0_0_count_8_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_value_4, slice0cost_pixels_first_0_0_count_8_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_value_5, slice0cost_pixels_first_0_0_count_8_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_choice_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_value_3, slice0cost_pixels_first_0_0_count_9_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_choice_2, slice0cost_pixels_first_0_0_count_9_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_value_6, slice0cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_value, slice0cost_pixels_first_0_0_count_10_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_choice, slice0cost_pixels_first_0_0_count_10_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_value_4, slice0cost_pixels_first_0_0_count_10_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_value_5, slice0cost_pixels_first_0_0_count_10_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_choice_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_value_3, slice0cost_pixels_first_0_0_count_11_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_choice_2, slice0cost_pixels_first_0_0_count_11_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_value_6, slice0cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_value, slice0cost_pixels_first_0_0_count_12_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_choice, slice0cost_pixels_first_0_0_count_12_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_value_4, slice0cost_pixels_first_0_0_count_12_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_value_5, slice0cost_pixels_first_0_0_count_12_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_choice_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_choice : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_value_3, slice0cost_pixels_first_0_0_count_13_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_choice_2, slice0cost_pixels_first_0_0_count_13_value_5 : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_value_6, slice0cost_pixels_first_0_0_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_14_choice, slice0cost_pixels_first_0_0_count_14_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_14_value_2, slice0cost_pixels_first_0_0_count_14_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_8_choice, slice0cost_pixels_first_0_1_count_8_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_8_choice_3, slice0cost_pixels_first_0_1_count_9_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_9_choice_2, slice0cost_pixels_first_0_1_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_10_choice, slice0cost_pixels_first_0_1_count_10_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_10_choice_3, slice0cost_pixels_first_0_1_count_11_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_11_choice_2, slice0cost_pixels_first_0_1_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_12_choice, slice0cost_pixels_first_0_1_count_12_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_1_count_12_choice_3, slice0cost_pixels_first_0_1_count_13_choice : boolean;
+    variable slice0cost_pixels_first_0_1_count_13_choice_2, slice0cost_pixels_first_0_1_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_1_count_14_choice, slice0cost_pixels_first_0_1_count_14_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_8_choice, slice0cost_pixels_first_0_2_count_8_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_8_choice_3, slice0cost_pixels_first_0_2_count_9_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_9_choice_2, slice0cost_pixels_first_0_2_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_10_choice, slice0cost_pixels_first_0_2_count_10_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_10_choice_3, slice0cost_pixels_first_0_2_count_11_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_11_choice_2, slice0cost_pixels_first_0_2_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_12_choice, slice0cost_pixels_first_0_2_count_12_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_2_count_12_choice_3, slice0cost_pixels_first_0_2_count_13_choice : boolean;
+    variable slice0cost_pixels_first_0_2_count_13_choice_2, slice0cost_pixels_first_0_2_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_2_count_14_choice, slice0cost_pixels_first_0_2_count_14_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_0_choice, slice0cost_pixels_first_0_3_count_0_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_1_choice, slice0cost_pixels_first_0_3_count_1_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_1_choice_3, slice0cost_pixels_first_0_3_count_2_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_2_choice_2, slice0cost_pixels_first_0_3_count_3_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_3_choice_2, slice0cost_pixels_first_0_3_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_3_count_4_choice, slice0cost_pixels_first_0_3_count_4_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_4_choice_3, slice0cost_pixels_first_0_3_count_5_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_5_choice_2, slice0cost_pixels_first_0_3_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_3_count_6_choice, slice0cost_pixels_first_0_3_count_6_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_6_choice_3, slice0cost_pixels_first_0_3_count_7_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_7_choice_2, slice0cost_pixels_first_0_3_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_3_count_8_choice, slice0cost_pixels_first_0_3_count_8_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_8_choice_3, slice0cost_pixels_first_0_3_count_9_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_9_choice_2, slice0cost_pixels_first_0_3_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_3_count_10_choice, slice0cost_pixels_first_0_3_count_10_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_10_choice_3, slice0cost_pixels_first_0_3_count_11_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_11_choice_2, slice0cost_pixels_first_0_3_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_3_count_12_choice, slice0cost_pixels_first_0_3_count_12_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_3_count_12_choice_3, slice0cost_pixels_first_0_3_count_13_choice : boolean;
+    variable slice0cost_pixels_first_0_3_count_13_choice_2, slice0cost_pixels_first_0_3_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_3_count_14_choice, slice0cost_pixels_first_0_3_count_14_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_0_choice, slice0cost_pixels_first_0_4_count_0_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_1_choice, slice0cost_pixels_first_0_4_count_1_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_1_choice_3, slice0cost_pixels_first_0_4_count_2_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_2_choice_2, slice0cost_pixels_first_0_4_count_3_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_3_choice_2, slice0cost_pixels_first_0_4_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_4_count_4_choice, slice0cost_pixels_first_0_4_count_4_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_4_choice_3, slice0cost_pixels_first_0_4_count_5_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_5_choice_2, slice0cost_pixels_first_0_4_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_4_count_6_choice, slice0cost_pixels_first_0_4_count_6_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_6_choice_3, slice0cost_pixels_first_0_4_count_7_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_7_choice_2, slice0cost_pixels_first_0_4_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_4_count_8_choice, slice0cost_pixels_first_0_4_count_8_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_8_choice_3, slice0cost_pixels_first_0_4_count_9_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_9_choice_2, slice0cost_pixels_first_0_4_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_4_count_10_choice, slice0cost_pixels_first_0_4_count_10_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_10_choice_3, slice0cost_pixels_first_0_4_count_11_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_11_choice_2, slice0cost_pixels_first_0_4_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_4_count_12_choice, slice0cost_pixels_first_0_4_count_12_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_4_count_12_choice_3, slice0cost_pixels_first_0_4_count_13_choice : boolean;
+    variable slice0cost_pixels_first_0_4_count_13_choice_2, slice0cost_pixels_first_0_4_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_4_count_14_choice, slice0cost_pixels_first_0_4_count_14_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_choice, slice1cost_pixels_first_0_0_count_0_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_4, slice1cost_pixels_first_0_0_count_0_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_choice, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_4, slice1cost_pixels_first_0_0_count_1_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_5, slice1cost_pixels_first_0_0_count_1_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_choice_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_2_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value_3, slice1cost_pixels_first_0_0_count_2_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_choice_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_3_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_choice_2, slice1cost_pixels_first_0_0_count_3_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_6, slice1cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_choice, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_4, slice1cost_pixels_first_0_0_count_4_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_5, slice1cost_pixels_first_0_0_count_4_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_choice_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_5_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_choice_2, slice1cost_pixels_first_0_0_count_5_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_6, slice1cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_choice, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_4, slice1cost_pixels_first_0_0_count_6_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_5, slice1cost_pixels_first_0_0_count_6_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_choice_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_0_0_count_7_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_7_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_choice_2, slice1cost_pixels_first_0_0_count_7_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_6, slice1cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_value, slice1cost_pixels_first_0_0_count_8_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_choice, slice1cost_pixels_first_0_0_count_8_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_value_4, slice1cost_pixels_first_0_0_count_8_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_value_5, slice1cost_pixels_first_0_0_count_8_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_choice_3, slice1cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value_2, slice1cost_pixels_first_0_0_count_9_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value_3, slice1cost_pixels_first_0_0_count_9_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_choice_2, slice1cost_pixels_first_0_0_count_9_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value_6, slice1cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_value, slice1cost_pixels_first_0_0_count_10_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_choice, slice1cost_pixels_first_0_0_count_10_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_value_4, slice1cost_pixels_first_0_0_count_10_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_value_5, slice1cost_pixels_first_0_0_count_10_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_choice_3, slice1cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value_2, slice1cost_pixels_first_0_0_count_11_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value_3, slice1cost_pixels_first_0_0_count_11_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_choice_2, slice1cost_pixels_first_0_0_count_11_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value_6, slice1cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_value, slice1cost_pixels_first_0_0_count_12_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_choice, slice1cost_pixels_first_0_0_count_12_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_value_4, slice1cost_pixels_first_0_0_count_12_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_value_5, slice1cost_pixels_first_0_0_count_12_value_6 : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_choice_3, slice1cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value_2, slice1cost_pixels_first_0_0_count_13_choice : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value_3, slice1cost_pixels_first_0_0_count_13_value_4 : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_choice_2, slice1cost_pixels_first_0_0_count_13_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value_6, slice1cost_pixels_first_0_0_count_13_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_14_choice, slice1cost_pixels_first_0_0_count_14_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_14_value_2, slice1cost_pixels_first_0_0_count_14_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_0_choice, slice1cost_pixels_first_0_1_count_0_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_1_choice, slice1cost_pixels_first_0_1_count_1_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_1_choice_3, slice1cost_pixels_first_0_1_count_2_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_2_choice_2, slice1cost_pixels_first_0_1_count_3_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_3_choice_2, slice1cost_pixels_first_0_1_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_4_choice, slice1cost_pixels_first_0_1_count_4_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_4_choice_3, slice1cost_pixels_first_0_1_count_5_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_5_choice_2, slice1cost_pixels_first_0_1_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_6_choice, slice1cost_pixels_first_0_1_count_6_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_6_choice_3, slice1cost_pixels_first_0_1_count_7_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_7_choice_2, slice1cost_pixels_first_0_1_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_8_choice, slice1cost_pixels_first_0_1_count_8_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_8_choice_3, slice1cost_pixels_first_0_1_count_9_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_9_choice_2, slice1cost_pixels_first_0_1_count_9_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_10_choice, slice1cost_pixels_first_0_1_count_10_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_10_choice_3, slice1cost_pixels_first_0_1_count_11_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_11_choice_2, slice1cost_pixels_first_0_1_count_11_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_12_choice, slice1cost_pixels_first_0_1_count_12_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_1_count_12_choice_3, slice1cost_pixels_first_0_1_count_13_choice : boolean;
+    variable slice1cost_pixels_first_0_1_count_13_choice_2, slice1cost_pixels_first_0_1_count_13_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_1_count_14_choice, slice1cost_pixels_first_0_1_count_14_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_0_choice, slice1cost_pixels_first_0_2_count_0_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_1_choice, slice1cost_pixels_first_0_2_count_1_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_1_choice_3, slice1cost_pixels_first_0_2_count_2_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_2_choice_2, slice1cost_pixels_first_0_2_count_3_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_3_choice_2, slice1cost_pixels_first_0_2_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_4_choice, slice1cost_pixels_first_0_2_count_4_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_4_choice_3, slice1cost_pixels_first_0_2_count_5_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_5_choice_2, slice1cost_pixels_first_0_2_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_6_choice, slice1cost_pixels_first_0_2_count_6_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_6_choice_3, slice1cost_pixels_first_0_2_count_7_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_7_choice_2, slice1cost_pixels_first_0_2_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_8_choice, slice1cost_pixels_first_0_2_count_8_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_8_choice_3, slice1cost_pixels_first_0_2_count_9_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_9_choice_2, slice1cost_pixels_first_0_2_count_9_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_10_choice, slice1cost_pixels_first_0_2_count_10_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_10_choice_3, slice1cost_pixels_first_0_2_count_11_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_11_choice_2, slice1cost_pixels_first_0_2_count_11_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_12_choice, slice1cost_pixels_first_0_2_count_12_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_2_count_12_choice_3, slice1cost_pixels_first_0_2_count_13_choice : boolean;
+    variable slice1cost_pixels_first_0_2_count_13_choice_2, slice1cost_pixels_first_0_2_count_13_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_2_count_14_choice, slice1cost_pixels_first_0_2_count_14_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_0_choice, slice1cost_pixels_first_0_3_count_0_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_1_choice, slice1cost_pixels_first_0_3_count_1_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_1_choice_3, slice1cost_pixels_first_0_3_count_2_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_2_choice_2, slice1cost_pixels_first_0_3_count_3_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_3_choice_2, slice1cost_pixels_first_0_3_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_3_count_4_choice, slice1cost_pixels_first_0_3_count_4_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_4_choice_3, slice1cost_pixels_first_0_3_count_5_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_5_choice_2, slice1cost_pixels_first_0_3_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_3_count_6_choice, slice1cost_pixels_first_0_3_count_6_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_6_choice_3, slice1cost_pixels_first_0_3_count_7_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_7_choice_2, slice1cost_pixels_first_0_3_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_3_count_8_choice, slice1cost_pixels_first_0_3_count_8_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_8_choice_3, slice1cost_pixels_first_0_3_count_9_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_9_choice_2, slice1cost_pixels_first_0_3_count_9_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_3_count_10_choice, slice1cost_pixels_first_0_3_count_10_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_10_choice_3, slice1cost_pixels_first_0_3_count_11_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_11_choice_2, slice1cost_pixels_first_0_3_count_11_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_3_count_12_choice, slice1cost_pixels_first_0_3_count_12_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_3_count_12_choice_3, slice1cost_pixels_first_0_3_count_13_choice : boolean;
+    variable slice1cost_pixels_first_0_3_count_13_choice_2, slice1cost_pixels_first_0_3_count_13_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_3_count_14_choice, slice1cost_pixels_first_0_3_count_14_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_0_choice, slice1cost_pixels_first_0_4_count_0_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_1_choice, slice1cost_pixels_first_0_4_count_1_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_1_choice_3, slice1cost_pixels_first_0_4_count_2_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_2_choice_2, slice1cost_pixels_first_0_4_count_3_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_3_choice_2, slice1cost_pixels_first_0_4_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_4_count_4_choice, slice1cost_pixels_first_0_4_count_4_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_4_choice_3, slice1cost_pixels_first_0_4_count_5_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_5_choice_2, slice1cost_pixels_first_0_4_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_4_count_6_choice, slice1cost_pixels_first_0_4_count_6_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_6_choice_3, slice1cost_pixels_first_0_4_count_7_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_7_choice_2, slice1cost_pixels_first_0_4_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_4_count_8_choice, slice1cost_pixels_first_0_4_count_8_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_8_choice_3, slice1cost_pixels_first_0_4_count_9_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_9_choice_2, slice1cost_pixels_first_0_4_count_9_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_4_count_10_choice, slice1cost_pixels_first_0_4_count_10_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_10_choice_3, slice1cost_pixels_first_0_4_count_11_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_11_choice_2, slice1cost_pixels_first_0_4_count_11_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_4_count_12_choice, slice1cost_pixels_first_0_4_count_12_choice_2 : boolean;
+    variable slice1cost_pixels_first_0_4_count_12_choice_3, slice1cost_pixels_first_0_4_count_13_choice : boolean;
+    variable slice1cost_pixels_first_0_4_count_13_choice_2, slice1cost_pixels_first_0_4_count_13_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_4_count_14_choice, slice1cost_pixels_first_0_4_count_14_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_choice, slice2cost_pixels_first_0_0_count_0_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value_4, slice2cost_pixels_first_0_0_count_0_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_choice, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_4, slice2cost_pixels_first_0_0_count_1_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_5, slice2cost_pixels_first_0_0_count_1_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_choice_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_2_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_3, slice2cost_pixels_first_0_0_count_2_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_choice_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_3_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_choice_2, slice2cost_pixels_first_0_0_count_3_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_6, slice2cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_choice, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_4, slice2cost_pixels_first_0_0_count_4_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_5, slice2cost_pixels_first_0_0_count_4_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_choice_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_5_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_choice_2, slice2cost_pixels_first_0_0_count_5_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_6, slice2cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_choice, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_4, slice2cost_pixels_first_0_0_count_6_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_5, slice2cost_pixels_first_0_0_count_6_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_choice_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_3, slice2cost_pixels_first_0_0_count_7_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_choice_2, slice2cost_pixels_first_0_0_count_7_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_6, slice2cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_value, slice2cost_pixels_first_0_0_count_8_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_choice, slice2cost_pixels_first_0_0_count_8_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_value_4, slice2cost_pixels_first_0_0_count_8_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_value_5, slice2cost_pixels_first_0_0_count_8_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_choice_3, slice2cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_9_value_2, slice2cost_pixels_first_0_0_count_9_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_9_value_3, slice2cost_pixels_first_0_0_count_9_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_9_choice_2, slice2cost_pixels_first_0_0_count_9_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_9_value_6, slice2cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_value, slice2cost_pixels_first_0_0_count_10_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_choice, slice2cost_pixels_first_0_0_count_10_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_value_4, slice2cost_pixels_first_0_0_count_10_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_value_5, slice2cost_pixels_first_0_0_count_10_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_choice_3, slice2cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_11_value_2, slice2cost_pixels_first_0_0_count_11_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_11_value_3, slice2cost_pixels_first_0_0_count_11_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_11_choice_2, slice2cost_pixels_first_0_0_count_11_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_11_value_6, slice2cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_value, slice2cost_pixels_first_0_0_count_12_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_choice, slice2cost_pixels_first_0_0_count_12_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_value_4, slice2cost_pixels_first_0_0_count_12_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_value_5, slice2cost_pixels_first_0_0_count_12_value_6 : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_choice_3, slice2cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_13_value_2, slice2cost_pixels_first_0_0_count_13_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_13_value_3, slice2cost_pixels_first_0_0_count_13_value_4 : boolean;
+    variable slice2cost_pixels_first_0_0_count_13_choice_2, slice2cost_pixels_first_0_0_count_13_value_5 : boolean;
+    variable slice2cost_pixels_first_0_0_count_13_value_6, slice2cost_pixels_first_0_0_count_13_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_14_choice, slice2cost_pixels_first_0_0_count_14_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_14_value_2, slice2cost_pixels_first_0_0_count_14_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_0_choice, slice2cost_pixels_first_0_1_count_0_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_1_choice, slice2cost_pixels_first_0_1_count_1_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_1_choice_3, slice2cost_pixels_first_0_1_count_2_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_2_choice_2, slice2cost_pixels_first_0_1_count_3_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_3_choice_2, slice2cost_pixels_first_0_1_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_4_choice, slice2cost_pixels_first_0_1_count_4_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_4_choice_3, slice2cost_pixels_first_0_1_count_5_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_5_choice_2, slice2cost_pixels_first_0_1_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_6_choice, slice2cost_pixels_first_0_1_count_6_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_6_choice_3, slice2cost_pixels_first_0_1_count_7_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_7_choice_2, slice2cost_pixels_first_0_1_count_7_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_8_choice, slice2cost_pixels_first_0_1_count_8_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_8_choice_3, slice2cost_pixels_first_0_1_count_9_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_9_choice_2, slice2cost_pixels_first_0_1_count_9_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_10_choice, slice2cost_pixels_first_0_1_count_10_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_10_choice_3, slice2cost_pixels_first_0_1_count_11_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_11_choice_2, slice2cost_pixels_first_0_1_count_11_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_12_choice, slice2cost_pixels_first_0_1_count_12_choice_2 : boolean;
+    variable slice2cost_pixels_first_0_1_count_12_choice_3, slice2cost_pixels_first_0_1_count_13_choice : boolean;
+    variable slice2cost_pixels_first_0_1_count_13_choice_2, slice2cost_pixels_first_0_1_count_13_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_1_count_14_choice, slice2cost_pixels_first_0_1_count_14_choice_2 : boolean;
+    variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
+    variable entry_order_turned_output_column_choice, entry_order_falls_choice, forward_path_0_value : boolean;
+    variable forward_path_1_value, forward_path_1_all, forward_path_1_value_2, forward_path_2_value : boolean;
+    variable forward_path_2_all, forward_path_2_value_2, forward_path_3_value, forward_path_3_all : boolean;
+    variable forward_path_3_value_2, forward_path_4_value, forward_path_4_all, forward_path_4_value_2 : boolean;
+    variable forward_path_5_value, forward_path_5_all, forward_path_5_value_2, forward_path_6_value : boolean;
+    variable forward_path_6_all, forward_path_6_value_2, forward_path_7_value, forward_path_7_all : boolean;
+    variable forward_path_7_value_2, forward_path_8_value, forward_path_8_all, forward_path_8_value_2 : boolean;
+    variable forward_path_9_value, forward_path_9_all, forward_path_9_value_2, forward_path_10_value : boolean;
+    variable forward_path_10_all, forward_path_10_value_2, forward_path_11_value, forward_path_11_all : boolean;
+    variable forward_path_11_value_2, forward_dropped_0_value, forward_dropped_1_value : boolean;
+    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
+    variable forward_dropped_5_value, forward_far_0_any, forward_far_0_choice, forward_far_1_choice : boolean;
+    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
+    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
+    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
+    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
+    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
+    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
+    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal, traceback_state_is_equal_2 : boolean;
+    variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
+    variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
+    variable turn_order_address_all_2, turn_order_address_any, turn_order_address_choice : boolean;
+    variable turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
+    variable transform_counter_group_choice, forward_decision_1_choice_3 : natural range 0 to 3;
+    variable forward_decision_2_choice_3, forward_decision_3_choice_3 : natural range 0 to 3;
+    variable forward_decision_4_choice_3, forward_decision_5_choice_3, forward_decision_6_choice : natural range 0 to 3;
+    variable forward_decision_7_choice, forward_decision_8_choice, forward_decision_9_choice : natural range 0 to 3;
+    variable forward_decision_10_choice, forward_decision_11_choice, traceback_decision_choice : natural range 0 to 3;
+    variable traceback_decision_choice_2, traceback_decision_choice_3 : natural range 0 to 3;
+    variable traceback_decision_choice_4, traceback_decision_choice_5 : natural range 0 to 3;
+    variable traceback_decision_choice_6, traceback_decision_choice_7 : natural range 0 to 3;
+    variable traceback_decision_choice_8, traceback_decision_choice_9 : natural range 0 to 3;
+    variable traceback_decision_choice_10, traceback_decision_choice_11 : natural range 0 to 3;
+    variable traceback_decision_choice_12, traceback_decision_choice_13 : natural range 0 to 3;
+    variable traceback_decision_choice_14, traceback_decision_choice_15 : natural range 0 to 3;
+    variable traceback_decision_choice_16, traceback_decision_choice_17 : natural range 0 to 3;
+    variable traceback_decision_choice_18, traceback_decision_choice_19 : natural range 0 to 3;
+    variable traceback_decision_choice_20, traceback_decision_choice_21 : natural range 0 to 3;
+    variable traceback_decision_choice_22, traceback_decision_choice_23 : natural range 0 to 3;
+    variable traceback_decision_choice_24, traceback_decision_choice_25 : natural range 0 to 3;
+    variable traceback_decision_choice_26, traceback_decision_choice_27 : natural range 0 to 3;
+    variable traceback_decision_choice_28, traceback_decision_choice_29 : natural range 0 to 3;
+    variable traceback_decision_choice_30, traceback_decision_choice_31 : natural range 0 to 3;
+    variable traceback_decision_choice_32, traceback_decision_choice_33 : natural range 0 to 3;
+    variable traceback_decision_choice_34, traceback_decision_choice_35 : natural range 0 to 3;
+    variable traceback_decision_choice_36, traceback_decision_choice_37 : natural range 0 to 3;
+    variable traceback_decision_choice_38, traceback_decision_choice_39 : natural range 0 to 3;
+    variable traceback_decision_choice_40, traceback_decision_choice_41 : natural range 0 to 3;
+    variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
+    variable transform_left_filter_feature_0_choice_353 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_353, entry_order_address_choice_3 : natural range 0 to 31;
+    variable turn_order_address_choice_4, turn_order_address_choice_6 : natural range 0 to 31;
+    variable transform_left_filter_feature_0_choice_354 : natural range 0 to 1023;
+    variable transform_right_filter_feature_0_choice_354 : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_355 : natural range 0 to 32767;
+    variable transform_right_filter_feature_0_choice_355 : natural range 0 to 32767;
+    variable transform_left_filter_feature_0_choice_356 : natural range 0 to 1048575;
+    variable transform_right_filter_feature_0_choice_356 : natural range 0 to 1048575;
+    variable transform_left_filter_feature_0_choice_357 : natural range 0 to 8388607;
+    variable transform_right_filter_feature_0_choice_357 : natural range 0 to 8388607;
+    variable transform_left_filter_feature_0_choice_358 : natural range 0 to 536870911;
+    variable transform_right_filter_feature_0_choice_358 : natural range 0 to 536870911;
+    variable transform_left_filter_feature_0_choice_359 : unsigned(33 downto 0);
+    variable transform_right_filter_feature_0_choice_359 : unsigned(33 downto 0);
+    variable transform_left_filter_feature_0_choice_360 : unsigned(38 downto 0);
+    variable transform_right_filter_feature_0_choice_360 : unsigned(38 downto 0);
+    variable entry_order_address_choice, turn_order_address_choice_3 : natural range 0 to 7;
+    variable entry_order_address_choice_2, turn_order_address_choice_5 : natural range 1 to 31;
+    variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 22;
+    variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 22;
+    variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 22;
+    variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 22;
+    variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_1_choice_4 : natural range 0 to 511;
+    variable forward_path_2_choice, forward_path_2_choice_2, forward_path_2_choice_3 : natural range 0 to 511;
+    variable forward_path_2_choice_4, forward_path_3_choice, forward_path_3_choice_2 : natural range 0 to 511;
+    variable forward_path_3_choice_3, forward_path_3_choice_4, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_4_choice_4 : natural range 0 to 511;
+    variable forward_path_5_choice, forward_path_5_choice_2, forward_path_5_choice_3 : natural range 0 to 511;
+    variable forward_path_5_choice_4, forward_path_6_choice, forward_path_6_choice_2 : natural range 0 to 511;
+    variable forward_path_6_choice_3, forward_path_6_choice_4, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_7_choice_4 : natural range 0 to 511;
+    variable forward_path_8_choice, forward_path_8_choice_2, forward_path_8_choice_3 : natural range 0 to 511;
+    variable forward_path_8_choice_4, forward_path_9_choice, forward_path_9_choice_2 : natural range 0 to 511;
+    variable forward_path_9_choice_3, forward_path_9_choice_4, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_10_choice_4 : natural range 0 to 511;
+    variable forward_path_11_choice, forward_path_11_choice_2, forward_path_11_choice_3 : natural range 0 to 511;
+    variable forward_path_11_choice_4, forward_dropped_0_choice, forward_dropped_1_choice : natural range 0 to 511;
+    variable forward_dropped_2_choice, forward_dropped_3_choice, forward_dropped_4_choice : natural range 0 to 511;
+    variable forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
+    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
+    variable forward_decision_1_choice_2, forward_decision_2_choice_2 : natural range 0 to 2;
+    variable forward_decision_3_choice_2, forward_decision_4_choice_2 : natural range 0 to 2;
+    variable forward_decision_5_choice_2 : natural range 0 to 2;
+    variable last_path_0_2_difference : integer range -255 to 256;
+    variable traceback_state_sum : natural range 1 to 256;
+    variable traceback_state_sum_2 : natural range 3 to 130;
+    variable traceback_state_sum_3 : natural range 255 to 510;
+    variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
+    variable fill_out_disparity_0_choice : natural range 0 to 255;
+    variable other_6_choice, other_7_choice, other_13_choice, other_14_choice, other_15_choice : natural range 0 to 11;
+    variable other_16_choice, other_17_choice, other_23_choice, other_24_choice : natural range 0 to 11;
+    variable other_25_choice, other_26_choice, other_27_choice : natural range 0 to 11;
+  begin
+    if rising_edge(clock) then
+      -- transform
+      transform_counter_group_is_equal := transform_counter_column = 39;
+      transform_counter_group_is_equal_2 := transform_counter_group = 11;
+      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      transform_counter_group_is_equal_3 := transform_counter_group = 13;
+      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
+        else (transform_counter_group + 1) mod 16;
+      transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
+        transform_counter_group_is_equal and in_valid else transform_counter_group;
+      transform_read_column_inside_0_value := ((transform_counter_column / 16) mod 2) = 1;
+      transform_read_column_inside_0_value_2 := ((transform_counter_column / 8) mod 2) = 1;
+      transform_read_column_inside_0_value_3 := ((transform_counter_column / 4) mod 2) = 1;
+      transform_read_column_inside_1_differs := (transform_counter_column / 4) /= 0;
+      transform_read_column_inside_2_is_equal := (transform_counter_column / 4) = 0;
+      transform_read_column_inside_2_choice := not ((transform_counter_column / 32) = 1) when
+        transform_read_column_inside_2_is_equal else (transform_counter_column / 32) = 1;
+      transform_read_column_inside_3_value := ((transform_counter_column / 2) mod 2) = 1;
+      transform_read_column_inside_5_is_equal := ((transform_counter_column / 4) mod 4) = 0;
+      transform_read_column_inside_5_choice := transform_read_column_inside_5_is_equal when
+        transform_read_column_inside_3_value else not transform_read_column_inside_0_value_2;
+      transform_read_column_inside_5_choice_2 := transform_read_column_inside_5_is_equal when (transform_counter_column
+        mod 2) = 1 else transform_read_column_inside_5_choice;
+      transform_read_column_inside_5_is_equal_2 := (transform_counter_column / 16) = 0;
+      transform_read_column_inside_5_choice_3 := transform_read_column_inside_5_is_equal_2 when
+        transform_read_column_inside_2_is_equal else ((transform_counter_column / 32) = 1) or
+        transform_read_column_inside_0_value;
+      transform_read_column_inside_6_choice := (not ((transform_counter_column / 32) = 1)) and (not
+        transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3) when
+        transform_read_column_inside_3_value else transform_read_column_inside_5_is_equal_2;
+      transform_read_column_inside_6_choice_2 := not transform_read_column_inside_0_value_2 when
+        transform_read_column_inside_2_is_equal else transform_read_column_inside_0_value_2;
+      transform_read_column_inside_7_choice := transform_read_column_inside_5_choice when (transform_counter_column mod
+        2) = 1 else not transform_read_column_inside_0_value_2;
+      transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+        ((transform_left_filter_column_4_2 mod 2) = 1));
+      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_8_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_2 mod 4) = 0;
+      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
+        ((transform_left_filter_column_8_0 / 2) mod 2) = 1 else ((transform_left_filter_column_8_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_2 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
+        (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_2 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
+        (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_2 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
+        (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_2 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
+        (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_2 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
+        (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
+        ((transform_left_filter_column_8_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_8_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
+        ((transform_left_filter_column_8_1 / 2) mod 2) = 1 else ((transform_left_filter_column_8_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
+        (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
+        (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
+        (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
+        (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
+        (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
+        ((transform_left_filter_column_8_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_8_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
+        ((transform_left_filter_column_8_2 / 2) mod 2) = 1 else ((transform_left_filter_column_8_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
+        (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
+        (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
+        (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
+        (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
+        (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
+        ((transform_left_filter_column_8_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_8_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
+        ((transform_left_filter_column_8_3 / 2) mod 2) = 1 else ((transform_left_filter_column_8_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
+        (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
+        (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
+        (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
+        (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
+        (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_8_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
+        ((transform_left_filter_column_8_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_8_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
+        ((transform_left_filter_column_8_4 / 2) mod 2) = 1 else ((transform_left_filter_column_8_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
+        (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
+        (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
+        (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
+        (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
+        (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_8_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
+        ((transform_left_filter_column_8_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_7_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
+        ((transform_left_filter_column_7_0 / 2) mod 2) = 1 else ((transform_left_filter_column_7_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
+        (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
+        (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
+        (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
+        (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
+        (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
+        ((transform_left_filter_column_7_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_7_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
+        ((transform_left_filter_column_7_1 / 2) mod 2) = 1 else ((transform_left_filter_column_7_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
+        (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
+        (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
+        (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
+        (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
+        (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
+        ((transform_left_filter_column_7_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_7_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
+        ((transform_left_filter_column_7_2 / 2) mod 2) = 1 else ((transform_left_filter_column_7_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
+        (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
+        (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
+        (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
+        (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
+        (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
+        ((transform_left_filter_column_7_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_7_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
+        ((transform_left_filter_column_7_3 / 2) mod 2) = 1 else ((transform_left_filter_column_7_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
+        (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
+        (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
+        (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
+        (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
+        (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_7_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
+        ((transform_left_filter_column_7_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_7_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
+        ((transform_left_filter_column_7_4 / 2) mod 2) = 1 else ((transform_left_filter_column_7_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
+        (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
+        (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
+        (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
+        (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
+        (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_7_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
+        ((transform_left_filter_column_7_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
+        ((transform_left_filter_column_6_0 / 2) mod 2) = 1 else ((transform_left_filter_column_6_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
+        (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
+        (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
+        (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
+        (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
+        (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_87 else
+        ((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
+        ((transform_left_filter_column_6_1 / 2) mod 2) = 1 else ((transform_left_filter_column_6_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
+        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
+        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
+        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
+        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
+        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
+        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
+        ((transform_left_filter_column_6_2 / 2) mod 2) = 1 else ((transform_left_filter_column_6_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
+        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
+        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
+        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
+        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
+        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_103 else
+        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
+        ((transform_left_filter_column_6_3 / 2) mod 2) = 1 else ((transform_left_filter_column_6_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
+        (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
+        (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
+        (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
+        (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
+        (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
+        ((transform_left_filter_column_6_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_6_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
+        ((transform_left_filter_column_6_4 / 2) mod 2) = 1 else ((transform_left_filter_column_6_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
+        (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
+        (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
+        (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
+        (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
+        (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_6_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
+        ((transform_left_filter_column_6_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
+        ((transform_left_filter_column_5_0 / 2) mod 2) = 1 else ((transform_left_filter_column_5_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
+        (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
+        (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
+        (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
+        (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
+        (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
+        ((transform_left_filter_column_5_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
+        ((transform_left_filter_column_5_1 / 2) mod 2) = 1 else ((transform_left_filter_column_5_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
+        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
+        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
+        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
+        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
+        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
+        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
+        ((transform_left_filter_column_5_2 / 2) mod 2) = 1 else ((transform_left_filter_column_5_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
+        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
+        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
+        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
+        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
+        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
+        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
+        ((transform_left_filter_column_5_3 / 2) mod 2) = 1 else ((transform_left_filter_column_5_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
+        (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
+        (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
+        (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
+        (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
+        (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
+        ((transform_left_filter_column_5_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_5_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
+        ((transform_left_filter_column_5_4 / 2) mod 2) = 1 else ((transform_left_filter_column_5_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
+        (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
+        (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
+        (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
+        (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
+        (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_5_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
+        ((transform_left_filter_column_5_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
+        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
+        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
+        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
+        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
+        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
+        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_168 := transform_filtering_column_inside_4 and
+        ((transform_left_filter_column_4_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1)) when
+        transform_left_filter_feature_0_choice_167 else transform_filtering_column_inside_4 and
+        (((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
+      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
+        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
+        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
+        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
+        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
+        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
+        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
+        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
+        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
+        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
+        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
+        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
+        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
+        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
+        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185 when
+        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_186 else (not
+        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_187 else (not
+        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_188 else (not
+        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_189 else (not
+        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_190 else (not
+        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_191 else
+        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_193 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193 when
+        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_195 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_194 else (not
+        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_196 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_195 else (not
+        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_196 else (not
+        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_197 else (not
+        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_198 else (not
+        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_200 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_199 else
+        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_201 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201 when
+        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_203 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_202 else (not
+        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_204 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_203 else (not
+        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_205 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_204 else (not
+        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_205 else (not
+        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_206 else (not
+        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_208 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_207 else
+        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_209 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_210 := transform_left_filter_feature_0_choice_209 when
+        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_210 else (not
+        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_212 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_211 else (not
+        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_213 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_212 else (not
+        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_213 else (not
+        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_214 else (not
+        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_216 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_215 else
+        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_217 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_218 := transform_left_filter_feature_0_choice_217 when
+        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_219 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_218 else (not
+        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_220 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_219 else (not
+        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_221 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_220 else (not
+        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_222 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_221 else (not
+        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_222 else (not
+        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_224 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_223 else
+        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_225 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_226 := transform_left_filter_feature_0_choice_225 when
+        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_227 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_226 else (not
+        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_228 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_227 else (not
+        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_229 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_228 else (not
+        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_230 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_229 else (not
+        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_230 else (not
+        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_232 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_231 else
+        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_233 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_234 := transform_left_filter_feature_0_choice_233 when
+        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_235 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_234 else (not
+        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_235 else (not
+        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_237 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_236 else (not
+        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_238 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_237 else (not
+        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_239 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_238 else (not
+        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_240 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_239 else
+        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_241 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_242 := transform_left_filter_feature_0_choice_241 when
+        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_243 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_242 else (not
+        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_243 else (not
+        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_244 else (not
+        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_246 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_245 else (not
+        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_247 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_246 else (not
+        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_248 := ((transform_left_filter_column_2_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_247 else
+        ((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_249 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_250 := transform_left_filter_feature_0_choice_249 when
+        ((transform_left_filter_column_2_2 / 2) mod 2) = 1 else ((transform_left_filter_column_2_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_251 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_250 else (not
+        (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_251 else (not
+        (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_252 else (not
+        (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_253 else (not
+        (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_255 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_254 else (not
+        (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_256 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_255 else
+        ((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_257 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_258 := transform_left_filter_feature_0_choice_257 when
+        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_259 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_258 else (not
+        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_259 else (not
+        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_260 else (not
+        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_261 else (not
+        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_263 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_262 else (not
+        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_264 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_263 else
+        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_265 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_266 := transform_left_filter_feature_0_choice_265 when
+        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_267 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_266 else (not
+        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_267 else (not
+        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_268 else (not
+        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_269 else (not
+        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_270 else (not
+        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_272 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_271 else
+        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_273 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_274 := transform_left_filter_feature_0_choice_273 when
+        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_275 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_274 else (not
+        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_275 else (not
+        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_276 else (not
+        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_277 else (not
+        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_278 else (not
+        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_280 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_279 else
+        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_281 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_282 := transform_left_filter_feature_0_choice_281 when
+        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_283 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_282 else (not
+        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_284 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_283 else (not
+        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_284 else (not
+        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_285 else (not
+        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_286 else (not
+        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_288 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_287 else
+        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_289 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_290 := transform_left_filter_feature_0_choice_289 when
+        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_291 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_290 else (not
+        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_292 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_291 else (not
+        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_293 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_292 else (not
+        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_293 else (not
+        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_294 else (not
+        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_296 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_295 else
+        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_297 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_298 := transform_left_filter_feature_0_choice_297 when
+        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_299 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_298 else (not
+        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_300 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_299 else (not
+        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_301 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_300 else (not
+        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_301 else (not
+        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_302 else (not
+        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_304 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_303 else
+        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_305 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_306 := transform_left_filter_feature_0_choice_305 when
+        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_307 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_306 else (not
+        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_308 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_307 else (not
+        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_309 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_308 else (not
+        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_310 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_309 else (not
+        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_310 else (not
+        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_312 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_311 else
+        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_313 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_314 := transform_left_filter_feature_0_choice_313 when
+        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_315 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_314 else (not
+        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_316 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_315 else (not
+        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_317 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_316 else (not
+        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_318 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_317 else (not
+        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_319 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_318 else (not
+        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_320 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_319 else
+        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_321 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_322 := transform_left_filter_feature_0_choice_321 when
+        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_323 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_322 else (not
+        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_323 else (not
+        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_325 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_324 else (not
+        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_326 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_325 else (not
+        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_327 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_326 else (not
+        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_328 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_327 else
+        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_329 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_330 := transform_left_filter_feature_0_choice_329 when
+        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_331 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_330 else (not
+        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_331 else (not
+        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_332 else (not
+        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_334 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_333 else (not
+        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_335 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_334 else (not
+        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_336 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_335 else
+        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_337 := transform_left_filter_feature_0_any when
+        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      transform_left_filter_feature_0_choice_338 := transform_left_filter_feature_0_choice_337 when
+        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
+        transform_left_filter_feature_0_is_equal;
+      transform_left_filter_feature_0_choice_339 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_338 else (not
+        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_339 else (not
+        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_340 else (not
+        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_341 else (not
+        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      transform_left_filter_feature_0_choice_343 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_342 else (not
+        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
+      transform_left_filter_feature_0_choice_344 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) when transform_left_filter_feature_0_choice_343 else
+        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1));
+      transform_left_filter_feature_0_choice_345 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_left_filter_column_4_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
+      transform_left_filter_feature_0_choice_346 := ((transform_left_filter_column_4_2 mod 2) = 1) or (not
+        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
+        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_345;
+      transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
+      transform_left_filter_feature_0_choice_347 := (not transform_left_filter_feature_0_value_2) and
+        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_346 else (not
+        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
+      transform_left_filter_feature_0_choice_348 := (not transform_left_filter_feature_0_value_3) or
+        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_347 else (not
+        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
+      transform_left_filter_feature_0_choice_349 := (not transform_left_filter_feature_0_value_4) or
+        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_348 else (not
+        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
+      transform_left_filter_feature_0_choice_350 := (not transform_left_filter_feature_0_value_5) or
+        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_349 else (not
+        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
+      transform_left_filter_feature_0_choice_351 := (not transform_left_filter_feature_0_value_6) or
+        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_350 else (not
+        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
+      transform_left_filter_feature_0_choice_352 := (not ((transform_left_filter_column_4_2 / 128) = 1)) or
+        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_351 else (not
+        ((transform_left_filter_column_4_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_filtering_column_inside_0 then
+        transform_left_filter_feature_0_choice_353 := (as_number(transform_left_filter_feature_0_choice_320) * 8) +
+          (as_number(transform_left_filter_feature_0_choice_328) * 16) +
+          (as_number(transform_left_filter_feature_0_choice_336) * 4) +
+          (as_number(transform_left_filter_feature_0_choice_344) * 2) +
+          as_number(transform_left_filter_feature_0_choice_352);
+      else
+        transform_left_filter_feature_0_choice_353 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_left_filter_feature_0_choice_354 := (as_number(transform_left_filter_feature_0_choice_280) * 256) +
+          (as_number(transform_left_filter_feature_0_choice_288) * 512) +
+          (as_number(transform_left_filter_feature_0_choice_296) * 128) +
+          (as_number(transform_left_filter_feature_0_choice_304) * 64) +
+          (as_number(transform_left_filter_feature_0_choice_312) * 32) + transform_left_filter_feature_0_choice_353;
+      else
+        transform_left_filter_feature_0_choice_354 := transform_left_filter_feature_0_choice_353;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_left_filter_feature_0_choice_355 := (as_number(transform_left_filter_feature_0_choice_240) * 8192) +
+          (as_number(transform_left_filter_feature_0_choice_248) * 16384) +
+          (as_number(transform_left_filter_feature_0_choice_256) * 4096) +
+          (as_number(transform_left_filter_feature_0_choice_264) * 2048) +
+          (as_number(transform_left_filter_feature_0_choice_272) * 1024) + transform_left_filter_feature_0_choice_354;
+      else
+        transform_left_filter_feature_0_choice_355 := transform_left_filter_feature_0_choice_354;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_left_filter_feature_0_choice_356 := (as_number(transform_left_filter_feature_0_choice_200) * 262144)
+          + (as_number(transform_left_filter_feature_0_choice_208) * 524288) +
+          (as_number(transform_left_filter_feature_0_choice_216) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_224) * 65536) +
+          (as_number(transform_left_filter_feature_0_choice_232) * 32768) + transform_left_filter_feature_0_choice_355;
+      else
+        transform_left_filter_feature_0_choice_356 := transform_left_filter_feature_0_choice_355;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_left_filter_feature_0_choice_357 := (as_number(transform_left_filter_feature_0_choice_176) * 2097152)
+          + (as_number(transform_left_filter_feature_0_choice_184) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_192) * 1048576) +
+          transform_left_filter_feature_0_choice_356;
+      else
+        transform_left_filter_feature_0_choice_357 := transform_left_filter_feature_0_choice_356;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_128) *
+          16777216) + (as_number(transform_left_filter_feature_0_choice_136) * 33554432) +
+          (as_number(transform_left_filter_feature_0_choice_144) * 67108864) +
+          (as_number(transform_left_filter_feature_0_choice_152) * 134217728) +
+          (as_number(transform_left_filter_feature_0_choice_160) * 268435456) +
+          (as_number(transform_left_filter_feature_0_choice_168) * 8388608) +
+          transform_left_filter_feature_0_choice_357;
+      else
+        transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_168) * 8388608)
+          + transform_left_filter_feature_0_choice_357;
+      end if;
+      if transform_filtering_column_inside_6 then
+        transform_left_filter_feature_0_choice_359 :=
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_120), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_112), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_104), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_96), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_88), 1) &
+          to_unsigned(transform_left_filter_feature_0_choice_358, 29);
+      else
+        transform_left_filter_feature_0_choice_359 := to_unsigned(transform_left_filter_feature_0_choice_358, 34);
+      end if;
+      if transform_filtering_column_inside_7 then
+        transform_left_filter_feature_0_choice_360 := to_unsigned(as_number(transform_left_filter_feature_0_choice_80),
+          1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_72), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_64), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_56), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_48), 1) &
+          transform_left_filter_feature_0_choice_359(33 downto 0);
+      else
+        transform_left_filter_feature_0_choice_360 := resize(transform_left_filter_feature_0_choice_359, 39);
+      end if;
+      transform_right_filter_feature_0_value := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+        ((transform_right_filter_column_4_2 mod 2) = 1));
+      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_8_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_2 mod 4) = 0;
+      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
+        ((transform_right_filter_column_8_0 / 2) mod 2) = 1 else ((transform_right_filter_column_8_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_2 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
+        (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_2 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
+        (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_2 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
+        (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_2 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
+        (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_2 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
+        (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
+        ((transform_right_filter_column_8_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_8_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
+        ((transform_right_filter_column_8_1 / 2) mod 2) = 1 else ((transform_right_filter_column_8_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
+        (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
+        (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
+        (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
+        (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
+        (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
+        ((transform_right_filter_column_8_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_8_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
+        ((transform_right_filter_column_8_2 / 2) mod 2) = 1 else ((transform_right_filter_column_8_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
+        (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
+        (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
+        (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
+        (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
+        (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
+        ((transform_right_filter_column_8_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_8_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
+        ((transform_right_filter_column_8_3 / 2) mod 2) = 1 else ((transform_right_filter_column_8_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
+        (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
+        (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
+        (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
+        (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
+        (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_8_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
+        ((transform_right_filter_column_8_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_8_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
+        ((transform_right_filter_column_8_4 / 2) mod 2) = 1 else ((transform_right_filter_column_8_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
+        (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
+        (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
+        (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
+        (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
+        (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_8_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
+        ((transform_right_filter_column_8_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_7_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
+        ((transform_right_filter_column_7_0 / 2) mod 2) = 1 else ((transform_right_filter_column_7_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
+        (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
+        (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
+        (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
+        (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
+        (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
+        ((transform_right_filter_column_7_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_7_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
+        ((transform_right_filter_column_7_1 / 2) mod 2) = 1 else ((transform_right_filter_column_7_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
+        (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
+        (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
+        (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
+        (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
+        (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
+        ((transform_right_filter_column_7_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_7_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
+        ((transform_right_filter_column_7_2 / 2) mod 2) = 1 else ((transform_right_filter_column_7_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
+        (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
+        (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
+        (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
+        (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
+        (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
+        ((transform_right_filter_column_7_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_7_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
+        ((transform_right_filter_column_7_3 / 2) mod 2) = 1 else ((transform_right_filter_column_7_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
+        (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
+        (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
+        (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
+        (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
+        (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_7_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
+        ((transform_right_filter_column_7_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_7_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
+        ((transform_right_filter_column_7_4 / 2) mod 2) = 1 else ((transform_right_filter_column_7_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
+        (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
+        (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
+        (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
+        (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
+        (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_7_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
+        ((transform_right_filter_column_7_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
+        ((transform_right_filter_column_6_0 / 2) mod 2) = 1 else ((transform_right_filter_column_6_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
+        (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
+        (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
+        (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
+        (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
+        (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_87 else
+        ((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
+        ((transform_right_filter_column_6_1 / 2) mod 2) = 1 else ((transform_right_filter_column_6_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
+        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
+        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
+        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
+        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
+        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
+        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
+        ((transform_right_filter_column_6_2 / 2) mod 2) = 1 else ((transform_right_filter_column_6_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
+        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
+        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
+        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
+        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
+        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_103 else
+        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
+        ((transform_right_filter_column_6_3 / 2) mod 2) = 1 else ((transform_right_filter_column_6_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
+        (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
+        (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
+        (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
+        (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
+        (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
+        ((transform_right_filter_column_6_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_6_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
+        ((transform_right_filter_column_6_4 / 2) mod 2) = 1 else ((transform_right_filter_column_6_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
+        (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
+        (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
+        (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
+        (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
+        (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_6_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
+        ((transform_right_filter_column_6_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
+        ((transform_right_filter_column_5_0 / 2) mod 2) = 1 else ((transform_right_filter_column_5_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
+        (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
+        (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
+        (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
+        (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
+        (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
+        ((transform_right_filter_column_5_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
+        ((transform_right_filter_column_5_1 / 2) mod 2) = 1 else ((transform_right_filter_column_5_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
+        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
+        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
+        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
+        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
+        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
+        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
+        ((transform_right_filter_column_5_2 / 2) mod 2) = 1 else ((transform_right_filter_column_5_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
+        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
+        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
+        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
+        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
+        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
+        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
+        ((transform_right_filter_column_5_3 / 2) mod 2) = 1 else ((transform_right_filter_column_5_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
+        (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
+        (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
+        (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
+        (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
+        (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
+        ((transform_right_filter_column_5_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_5_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
+        ((transform_right_filter_column_5_4 / 2) mod 2) = 1 else ((transform_right_filter_column_5_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
+        (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
+        (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
+        (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
+        (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
+        (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_5_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
+        ((transform_right_filter_column_5_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
+        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
+        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
+        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
+        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
+        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
+        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_168 := transform_filtering_column_inside_4 and
+        ((transform_right_filter_column_4_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1)) when
+        transform_right_filter_feature_0_choice_167 else transform_filtering_column_inside_4 and
+        (((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
+      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
+        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
+        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
+        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
+        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
+        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
+        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
+        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
+        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
+        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
+        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
+        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
+        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
+        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
+        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_185 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185 when
+        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_186 else (not
+        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_187 else (not
+        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_188 else (not
+        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_189 else (not
+        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_190 else (not
+        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_191 else
+        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_193 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193 when
+        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_195 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_194 else (not
+        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_195 else (not
+        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_197 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_196 else (not
+        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_198 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_197 else (not
+        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_199 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_198 else (not
+        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_200 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_199 else
+        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_201 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201 when
+        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_203 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_202 else (not
+        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_203 else (not
+        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_204 else (not
+        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_206 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_205 else (not
+        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_206 else (not
+        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_208 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_207 else
+        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_209 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_210 := transform_right_filter_feature_0_choice_209 when
+        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_210 else (not
+        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_211 else (not
+        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_212 else (not
+        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_213 else (not
+        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_215 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_214 else (not
+        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_216 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_215 else
+        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_217 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_218 := transform_right_filter_feature_0_choice_217 when
+        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_219 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_218 else (not
+        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_219 else (not
+        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_220 else (not
+        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_221 else (not
+        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_222 else (not
+        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_224 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_223 else
+        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_225 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_226 := transform_right_filter_feature_0_choice_225 when
+        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_227 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_226 else (not
+        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_227 else (not
+        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_228 else (not
+        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_229 else (not
+        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_230 else (not
+        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_232 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_231 else
+        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_233 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_234 := transform_right_filter_feature_0_choice_233 when
+        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_235 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_234 else (not
+        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_236 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_235 else (not
+        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_236 else (not
+        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_237 else (not
+        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_238 else (not
+        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_240 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_239 else
+        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_241 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_242 := transform_right_filter_feature_0_choice_241 when
+        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_243 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_242 else (not
+        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_244 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_243 else (not
+        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_245 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_244 else (not
+        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_245 else (not
+        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_246 else (not
+        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_248 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_247 else
+        ((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_249 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_250 := transform_right_filter_feature_0_choice_249 when
+        ((transform_right_filter_column_2_2 / 2) mod 2) = 1 else ((transform_right_filter_column_2_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_251 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_250 else (not
+        (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_252 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_251 else (not
+        (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_253 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_252 else (not
+        (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_254 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_253 else (not
+        (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_254 else (not
+        (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_256 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_255 else
+        ((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_257 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_258 := transform_right_filter_feature_0_choice_257 when
+        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_259 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_258 else (not
+        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_260 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_259 else (not
+        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_261 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_260 else (not
+        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_262 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_261 else (not
+        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_263 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_262 else (not
+        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_264 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_263 else
+        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_265 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_266 := transform_right_filter_feature_0_choice_265 when
+        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_267 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_266 else (not
+        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_267 else (not
+        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_269 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_268 else (not
+        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_270 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_269 else (not
+        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_271 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_270 else (not
+        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_272 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_271 else
+        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_273 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_274 := transform_right_filter_feature_0_choice_273 when
+        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_275 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_274 else (not
+        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_275 else (not
+        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_276 else (not
+        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_278 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_277 else (not
+        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_279 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_278 else (not
+        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_280 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_279 else
+        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_281 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_282 := transform_right_filter_feature_0_choice_281 when
+        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_283 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_282 else (not
+        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_283 else (not
+        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_284 else (not
+        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_285 else (not
+        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_287 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_286 else (not
+        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_288 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_287 else
+        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_289 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_290 := transform_right_filter_feature_0_choice_289 when
+        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_291 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_290 else (not
+        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_291 else (not
+        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_292 else (not
+        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_293 else (not
+        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_294 else (not
+        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_296 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_295 else
+        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_297 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_298 := transform_right_filter_feature_0_choice_297 when
+        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_299 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_298 else (not
+        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_299 else (not
+        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_300 else (not
+        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_301 else (not
+        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_302 else (not
+        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_304 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_303 else
+        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_305 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_306 := transform_right_filter_feature_0_choice_305 when
+        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_307 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_306 else (not
+        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_308 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_307 else (not
+        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_308 else (not
+        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_309 else (not
+        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_310 else (not
+        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_312 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_311 else
+        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_313 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_314 := transform_right_filter_feature_0_choice_313 when
+        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_315 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_314 else (not
+        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_316 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_315 else (not
+        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_317 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_316 else (not
+        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_317 else (not
+        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_318 else (not
+        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_320 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_319 else
+        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_321 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_322 := transform_right_filter_feature_0_choice_321 when
+        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_323 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_322 else (not
+        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_324 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_323 else (not
+        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_325 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_324 else (not
+        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_326 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_325 else (not
+        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_326 else (not
+        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_328 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_327 else
+        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_329 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_330 := transform_right_filter_feature_0_choice_329 when
+        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_331 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_330 else (not
+        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_332 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_331 else (not
+        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_333 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_332 else (not
+        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_334 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_333 else (not
+        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_335 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_334 else (not
+        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_336 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_335 else
+        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_337 := transform_right_filter_feature_0_any when
+        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      transform_right_filter_feature_0_choice_338 := transform_right_filter_feature_0_choice_337 when
+        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
+        transform_right_filter_feature_0_is_equal;
+      transform_right_filter_feature_0_choice_339 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_338 else (not
+        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_339 else (not
+        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      transform_right_filter_feature_0_choice_341 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_340 else (not
+        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      transform_right_filter_feature_0_choice_342 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_341 else (not
+        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      transform_right_filter_feature_0_choice_343 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_342 else (not
+        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
+      transform_right_filter_feature_0_choice_344 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) when transform_right_filter_feature_0_choice_343 else
+        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1));
+      transform_right_filter_feature_0_choice_345 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
+        (transform_right_filter_column_4_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
+      transform_right_filter_feature_0_choice_346 := ((transform_right_filter_column_4_2 mod 2) = 1) or (not
+        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
+        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_345;
+      transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
+      transform_right_filter_feature_0_choice_347 := (not transform_right_filter_feature_0_value_2) and
+        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_346 else (not
+        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
+      transform_right_filter_feature_0_choice_348 := (not transform_right_filter_feature_0_value_3) or
+        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_347 else (not
+        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
+      transform_right_filter_feature_0_choice_349 := (not transform_right_filter_feature_0_value_4) or
+        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_348 else (not
+        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
+      transform_right_filter_feature_0_choice_350 := (not transform_right_filter_feature_0_value_5) or
+        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_349 else (not
+        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
+      transform_right_filter_feature_0_choice_351 := (not transform_right_filter_feature_0_value_6) or
+        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_350 else (not
+        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
+      transform_right_filter_feature_0_choice_352 := (not ((transform_right_filter_column_4_2 / 128) = 1)) or
+        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_351 else (not
+        ((transform_right_filter_column_4_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_filtering_column_inside_0 then
+        transform_right_filter_feature_0_choice_353 := (as_number(transform_right_filter_feature_0_choice_320) * 8) +
+          (as_number(transform_right_filter_feature_0_choice_328) * 16) +
+          (as_number(transform_right_filter_feature_0_choice_336) * 4) +
+          (as_number(transform_right_filter_feature_0_choice_344) * 2) +
+          as_number(transform_right_filter_feature_0_choice_352);
+      else
+        transform_right_filter_feature_0_choice_353 := 0;
+      end if;
+      if transform_filtering_column_inside_1 then
+        transform_right_filter_feature_0_choice_354 := (as_number(transform_right_filter_feature_0_choice_280) * 256) +
+          (as_number(transform_right_filter_feature_0_choice_288) * 512) +
+          (as_number(transform_right_filter_feature_0_choice_296) * 128) +
+          (as_number(transform_right_filter_feature_0_choice_304) * 64) +
+          (as_number(transform_right_filter_feature_0_choice_312) * 32) + transform_right_filter_feature_0_choice_353;
+      else
+        transform_right_filter_feature_0_choice_354 := transform_right_filter_feature_0_choice_353;
+      end if;
+      if transform_filtering_column_inside_2 then
+        transform_right_filter_feature_0_choice_355 := (as_number(transform_right_filter_feature_0_choice_240) * 8192)
+          + (as_number(transform_right_filter_feature_0_choice_248) * 16384) +
+          (as_number(transform_right_filter_feature_0_choice_256) * 4096) +
+          (as_number(transform_right_filter_feature_0_choice_264) * 2048) +
+          (as_number(transform_right_filter_feature_0_choice_272) * 1024) + transform_right_filter_feature_0_choice_354;
+      else
+        transform_right_filter_feature_0_choice_355 := transform_right_filter_feature_0_choice_354;
+      end if;
+      if transform_filtering_column_inside_3 then
+        transform_right_filter_feature_0_choice_356 := (as_number(transform_right_filter_feature_0_choice_200) *
+          262144) + (as_number(transform_right_filter_feature_0_choice_208) * 524288) +
+          (as_number(transform_right_filter_feature_0_choice_216) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_224) * 65536) +
+          (as_number(transform_right_filter_feature_0_choice_232) * 32768) +
+          transform_right_filter_feature_0_choice_355;
+      else
+        transform_right_filter_feature_0_choice_356 := transform_right_filter_feature_0_choice_355;
+      end if;
+      if transform_filtering_column_inside_4 then
+        transform_right_filter_feature_0_choice_357 := (as_number(transform_right_filter_feature_0_choice_176) *
+          2097152) + (as_number(transform_right_filter_feature_0_choice_184) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_192) * 1048576) +
+          transform_right_filter_feature_0_choice_356;
+      else
+        transform_right_filter_feature_0_choice_357 := transform_right_filter_feature_0_choice_356;
+      end if;
+      if transform_filtering_column_inside_5 then
+        transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_128) *
+          16777216) + (as_number(transform_right_filter_feature_0_choice_136) * 33554432) +
+          (as_number(transform_right_filter_feature_0_choice_144) * 67108864) +
+          (as_number(transform_right_filter_feature_0_choice_152) * 134217728) +
+          (as_number(transform_right_filter_feature_0_choice_160) * 268435456) +
+          (as_number(transform_right_filter_feature_0_choice_168) * 8388608) +
+          transform_right_filter_feature_0_choice_357;
+      else
+        transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_168) *
+          8388608) + transform_right_filter_feature_0_choice_357;
+      end if;
+      if transform_filtering_column_inside_6 then
+        transform_right_filter_feature_0_choice_359 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_120), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_104), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_96), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_88), 1) &
+          to_unsigned(transform_right_filter_feature_0_choice_358, 29);
+      else
+        transform_right_filter_feature_0_choice_359 := to_unsigned(transform_right_filter_feature_0_choice_358, 34);
+      end if;
+      if transform_filtering_column_inside_7 then
+        transform_right_filter_feature_0_choice_360 :=
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_80), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_64), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_56), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_48), 1) &
+          transform_right_filter_feature_0_choice_359(33 downto 0);
+      else
+        transform_right_filter_feature_0_choice_360 := resize(transform_right_filter_feature_0_choice_359, 39);
+      end if;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
+        transform_counter_group_choice_3;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
+        (transform_counter_group mod 4)) < 12;
+      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
+        (transform_counter_group mod 2)) < 12;
+      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
+        mod 2) = 1));
+      transform_read_column_inside_0 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
+        or transform_read_column_inside_0_value_2 or transform_read_column_inside_0_value_3;
+      transform_read_column_inside_1 <= transform_read_column_inside_1_differs or ((transform_counter_column mod 4) =
+        0);
+      transform_read_column_inside_2 <= transform_read_column_inside_2_choice when ((transform_counter_column / 2) mod
+        16) = 0 else transform_read_column_inside_1_differs;
+      transform_read_column_inside_3 <= transform_read_column_inside_1_differs or (not ((transform_counter_column mod
+        2) = 1)) or (not transform_read_column_inside_3_value);
+      transform_read_column_inside_4 <= true;
+      transform_read_column_inside_5 <= transform_read_column_inside_5_choice_3 when
+        transform_read_column_inside_5_choice_2 else transform_read_column_inside_1_differs;
+      transform_read_column_inside_6 <= transform_read_column_inside_6_choice_2 when
+        transform_read_column_inside_6_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_7 <= transform_read_column_inside_5_choice_3 when
+        transform_read_column_inside_7_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_8 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
+        or transform_read_column_inside_0_value_2 or (not transform_read_column_inside_0_value_3);
+      transform_read_start_of_frame <= (transform_counter_column = 4) and (transform_counter_group = 2);
+      transform_read_valid <= transform_valid;
+      transform_ready_column <= transform_read_column;
+      transform_ready_row_inside_0 <= transform_read_row_inside_0;
+      transform_ready_row_inside_1 <= transform_read_row_inside_1;
+      transform_ready_row_inside_2 <= transform_read_row_inside_2;
+      transform_ready_row_inside_3 <= transform_read_row_inside_3;
+      transform_ready_row_inside_4 <= transform_read_row_inside_4;
+      transform_ready_column_inside_0 <= transform_read_column_inside_0;
+      transform_ready_column_inside_1 <= transform_read_column_inside_1;
+      transform_ready_column_inside_2 <= transform_read_column_inside_2;
+      transform_ready_column_inside_3 <= transform_read_column_inside_3;
+      transform_ready_column_inside_4 <= transform_read_column_inside_4;
+      transform_ready_column_inside_5 <= transform_read_column_inside_5;
+      transform_ready_column_inside_6 <= transform_read_column_inside_6;
+      transform_ready_column_inside_7 <= transform_read_column_inside_7;
+      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_start_of_frame <= transform_read_start_of_frame;
+      transform_ready_valid <= transform_read_valid;
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
+      transform_columns_row_inside_1 <= transform_ready_row_inside_1;
+      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
+      transform_columns_row_inside_3 <= transform_ready_row_inside_3;
+      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
+      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
+      transform_columns_column_inside_1 <= transform_ready_column_inside_1;
+      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
+      transform_columns_column_inside_3 <= transform_ready_column_inside_3;
+      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
+      transform_columns_column_inside_5 <= transform_ready_column_inside_5;
+      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
+      transform_columns_column_inside_7 <= transform_ready_column_inside_7;
+      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_columns_start_of_frame <= transform_ready_start_of_frame;
+      transform_columns_valid <= transform_ready_valid;
+      transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice_40), 1) &
+        to_unsigned(as_number(transform_left_filter_feature_0_choice_32), 1) &
+        to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
+        to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
+        to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
+        transform_left_filter_feature_0_choice_360(38 downto 0) when transform_filtering_column_inside_8 else
+        resize(transform_left_filter_feature_0_choice_360, 44);
+      transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_40), 1) &
+        to_unsigned(as_number(transform_right_filter_feature_0_choice_32), 1) &
+        to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
+        to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
+        to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
+        transform_right_filter_feature_0_choice_360(38 downto 0) when transform_filtering_column_inside_8 else
+        resize(transform_right_filter_feature_0_choice_360, 44);
+      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_column_inside_5 <= transform_columns_column_inside_5;
+      transform_filtering_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_column_inside_7 <= transform_columns_column_inside_7;
+      transform_filtering_column_inside_8 <= transform_columns_column_inside_8;
+      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_valid <= transform_columns_valid;
+      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
+      transform_filtered_valid <= transform_filtering_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
+      if in_valid then
+        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
+      end if;
+      if transform_ready_valid then
+        transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_0 <= to_unsigned(transform_right_rows_ready_newest_0, 8) &
+          transform_right_rows_ready_words_0(31 downto 8);
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_columns_valid then
+        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
+        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
+        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
+        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
+        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
+        transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
+        transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
+        transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
+        transform_left_filter_column_1_3 <= transform_left_filter_column_0_3;
+        transform_left_filter_column_1_4 <= transform_left_filter_column_0_4;
+        transform_left_filter_column_2_0 <= transform_left_filter_column_1_0;
+        transform_left_filter_column_2_1 <= transform_left_filter_column_1_1;
+        transform_left_filter_column_2_2 <= transform_left_filter_column_1_2;
+        transform_left_filter_column_2_3 <= transform_left_filter_column_1_3;
+        transform_left_filter_column_2_4 <= transform_left_filter_column_1_4;
+        transform_left_filter_column_3_0 <= transform_left_filter_column_2_0;
+        transform_left_filter_column_3_1 <= transform_left_filter_column_2_1;
+        transform_left_filter_column_3_2 <= transform_left_filter_column_2_2;
+        transform_left_filter_column_3_3 <= transform_left_filter_column_2_3;
+        transform_left_filter_column_3_4 <= transform_left_filter_column_2_4;
+        transform_left_filter_column_4_0 <= transform_left_filter_column_3_0;
+        transform_left_filter_column_4_1 <= transform_left_filter_column_3_1;
+        transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
+        transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
+        transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
+        transform_left_filter_column_5_0 <= transform_left_filter_column_4_0;
+        transform_left_filter_column_5_1 <= transform_left_filter_column_4_1;
+        transform_left_filter_column_5_2 <= transform_left_filter_column_4_2;
+        transform_left_filter_column_5_3 <= transform_left_filter_column_4_3;
+        transform_left_filter_column_5_4 <= transform_left_filter_column_4_4;
+        transform_left_filter_column_6_0 <= transform_left_filter_column_5_0;
+        transform_left_filter_column_6_1 <= transform_left_filter_column_5_1;
+        transform_left_filter_column_6_2 <= transform_left_filter_column_5_2;
+        transform_left_filter_column_6_3 <= transform_left_filter_column_5_3;
+        transform_left_filter_column_6_4 <= transform_left_filter_column_5_4;
+        transform_left_filter_column_7_0 <= transform_left_filter_column_6_0;
+        transform_left_filter_column_7_1 <= transform_left_filter_column_6_1;
+        transform_left_filter_column_7_2 <= transform_left_filter_column_6_2;
+        transform_left_filter_column_7_3 <= transform_left_filter_column_6_3;
+        transform_left_filter_column_7_4 <= transform_left_filter_column_6_4;
+        transform_left_filter_column_8_0 <= transform_left_filter_column_7_0;
+        transform_left_filter_column_8_1 <= transform_left_filter_column_7_1;
+        transform_left_filter_column_8_2 <= transform_left_filter_column_7_2;
+        transform_left_filter_column_8_3 <= transform_left_filter_column_7_3;
+        transform_left_filter_column_8_4 <= transform_left_filter_column_7_4;
+        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
+        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
+        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
+        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
+        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
+        transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
+        transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
+        transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
+        transform_right_filter_column_1_3 <= transform_right_filter_column_0_3;
+        transform_right_filter_column_1_4 <= transform_right_filter_column_0_4;
+        transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
+        transform_right_filter_column_2_1 <= transform_right_filter_column_1_1;
+        transform_right_filter_column_2_2 <= transform_right_filter_column_1_2;
+        transform_right_filter_column_2_3 <= transform_right_filter_column_1_3;
+        transform_right_filter_column_2_4 <= transform_right_filter_column_1_4;
+        transform_right_filter_column_3_0 <= transform_right_filter_column_2_0;
+        transform_right_filter_column_3_1 <= transform_right_filter_column_2_1;
+        transform_right_filter_column_3_2 <= transform_right_filter_column_2_2;
+        transform_right_filter_column_3_3 <= transform_right_filter_column_2_3;
+        transform_right_filter_column_3_4 <= transform_right_filter_column_2_4;
+        transform_right_filter_column_4_0 <= transform_right_filter_column_3_0;
+        transform_right_filter_column_4_1 <= transform_right_filter_column_3_1;
+        transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
+        transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
+        transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+        transform_right_filter_column_5_0 <= transform_right_filter_column_4_0;
+        transform_right_filter_column_5_1 <= transform_right_filter_column_4_1;
+        transform_right_filter_column_5_2 <= transform_right_filter_column_4_2;
+        transform_right_filter_column_5_3 <= transform_right_filter_column_4_3;
+        transform_right_filter_column_5_4 <= transform_right_filter_column_4_4;
+        transform_right_filter_column_6_0 <= transform_right_filter_column_5_0;
+        transform_right_filter_column_6_1 <= transform_right_filter_column_5_1;
+        transform_right_filter_column_6_2 <= transform_right_filter_column_5_2;
+        transform_right_filter_column_6_3 <= transform_right_filter_column_5_3;
+        transform_right_filter_column_6_4 <= transform_right_filter_column_5_4;
+        transform_right_filter_column_7_0 <= transform_right_filter_column_6_0;
+        transform_right_filter_column_7_1 <= transform_right_filter_column_6_1;
+        transform_right_filter_column_7_2 <= transform_right_filter_column_6_2;
+        transform_right_filter_column_7_3 <= transform_right_filter_column_6_3;
+        transform_right_filter_column_7_4 <= transform_right_filter_column_6_4;
+        transform_right_filter_column_8_0 <= transform_right_filter_column_7_0;
+        transform_right_filter_column_8_1 <= transform_right_filter_column_7_1;
+        transform_right_filter_column_8_2 <= transform_right_filter_column_7_2;
+        transform_right_filter_column_8_3 <= transform_right_filter_column_7_3;
+        transform_right_filter_column_8_4 <= transform_right_filter_column_7_4;
+      end if;
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 39;
+      raster_features_search_0 <= transform_right_filter_feature_0;
+      raster_features_reference_0 <= transform_left_filter_feature_0;
+      raster_features_valid <= transform_filtered_valid;
+      raster_place_group <= 0 when transform_filtered_valid and transform_filtered_start_of_frame else
+        (raster_place_group + as_number(((raster_place_group /= 12) and raster_place_group_is_equal and
+        transform_filtered_valid))) mod 16;
+      if transform_filtered_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtered_start_of_frame else
+          (raster_place_column + 1) mod 64;
+      end if;
+      -- delay
+      delay_tag_first_cost_is_equal := raster_place_column = 11;
+      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_delayed_0 <= raster_features_search_0;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
+        = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag_map_column <= delay_tag_map_column_is_less;
+      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_less when
+        (raster_place_group / 8) = 1 else delay_tag_map_column_is_less;
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
+      delay_tag_end_of_line <= raster_place_group_is_equal;
+      -- rows
+      rows_search_0 <= delay_delayed_0;
+      rows_reference_0 <= delay_ahead_0;
+      rows_tag_valid <= delay_tag_valid;
+      rows_tag_border_column <= delay_tag_border_column;
+      rows_tag_first_cost <= delay_tag_first_cost;
+      rows_tag_map_column <= delay_tag_map_column;
+      rows_tag_output_column <= delay_tag_output_column;
+      rows_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_tag_end_of_line <= delay_tag_end_of_line;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_0_3 <= slice0shift_search_0_2;
+        slice0shift_search_0_4 <= slice0shift_search_0_3;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_search_out_0 <= slice0shift_search_0_4;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_count_0_value := to_integer(slice0shift_reference_0(2 downto 2)) = 1;
+      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_search_0_0(2 downto 2)) = 1;
+      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
+        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
+      slice0cost_pixels_first_0_0_count_0_value_3 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
+      slice0cost_pixels_first_0_0_count_0_value_4 := to_integer(slice0shift_search_0_0(1 downto 1)) = 1;
+      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
+        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_1_value := to_integer(slice0shift_reference_0(3 downto 3)) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_search_0_0(3 downto 3)) = 1;
+      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
+        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
+      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_4 := to_integer(slice0shift_search_0_0(5 downto 5)) = 1;
+      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
+        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
+      slice0cost_pixels_first_0_0_count_1_value_5 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_6 := to_integer(slice0shift_search_0_0(4 downto 4)) = 1;
+      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
+        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_2_value := to_integer(slice0shift_reference_0(8 downto 8)) = 1;
+      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_search_0_0(8 downto 8)) = 1;
+      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
+        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
+      slice0cost_pixels_first_0_0_count_2_value_3 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
+      slice0cost_pixels_first_0_0_count_2_value_4 := to_integer(slice0shift_search_0_0(6 downto 6)) = 1;
+      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
+        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_3_value := to_integer(slice0shift_reference_0(9 downto 9)) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_search_0_0(9 downto 9)) = 1;
+      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
+        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
+      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_4 := to_integer(slice0shift_search_0_0(11 downto 11)) = 1;
+      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
+        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
+      slice0cost_pixels_first_0_0_count_3_value_5 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_6 := to_integer(slice0shift_search_0_0(10 downto 10)) = 1;
+      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
+        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_4_value := to_integer(slice0shift_reference_0(12 downto 12)) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_search_0_0(12 downto 12)) = 1;
+      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
+        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
+      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_4 := to_integer(slice0shift_search_0_0(14 downto 14)) = 1;
+      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
+        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
+      slice0cost_pixels_first_0_0_count_4_value_5 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_6 := to_integer(slice0shift_search_0_0(13 downto 13)) = 1;
+      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
+        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_5_value := to_integer(slice0shift_reference_0(15 downto 15)) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_search_0_0(15 downto 15)) = 1;
+      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
+        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
+      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_4 := to_integer(slice0shift_search_0_0(17 downto 17)) = 1;
+      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
+        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
+      slice0cost_pixels_first_0_0_count_5_value_5 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_6 := to_integer(slice0shift_search_0_0(16 downto 16)) = 1;
+      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
+        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_6_value := to_integer(slice0shift_reference_0(18 downto 18)) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_search_0_0(18 downto 18)) = 1;
+      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
+        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
+      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_4 := to_integer(slice0shift_search_0_0(20 downto 20)) = 1;
+      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
+        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
+      slice0cost_pixels_first_0_0_count_6_value_5 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_6 := to_integer(slice0shift_search_0_0(19 downto 19)) = 1;
+      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
+        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_7_value := to_integer(slice0shift_reference_0(21 downto 21)) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_search_0_0(21 downto 21)) = 1;
+      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
+        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
+      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_4 := to_integer(slice0shift_search_0_0(23 downto 23)) = 1;
+      slice0cost_pixels_first_0_0_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_4 when
+        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
+      slice0cost_pixels_first_0_0_count_7_value_5 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_6 := to_integer(slice0shift_search_0_0(22 downto 22)) = 1;
+      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_6 when
+        slice0cost_pixels_first_0_0_count_7_value_5 else slice0cost_pixels_first_0_0_count_7_value_6;
+      slice0cost_pixels_first_0_0_count_8_value := to_integer(slice0shift_reference_0(24 downto 24)) = 1;
+      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_search_0_0(24 downto 24)) = 1;
+      slice0cost_pixels_first_0_0_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value_2 when
+        slice0cost_pixels_first_0_0_count_8_value else slice0cost_pixels_first_0_0_count_8_value_2;
+      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
+      slice0cost_pixels_first_0_0_count_8_value_4 := to_integer(slice0shift_search_0_0(26 downto 26)) = 1;
+      slice0cost_pixels_first_0_0_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_4 when
+        slice0cost_pixels_first_0_0_count_8_value_3 else slice0cost_pixels_first_0_0_count_8_value_4;
+      slice0cost_pixels_first_0_0_count_8_value_5 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
+      slice0cost_pixels_first_0_0_count_8_value_6 := to_integer(slice0shift_search_0_0(25 downto 25)) = 1;
+      slice0cost_pixels_first_0_0_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_6 when
+        slice0cost_pixels_first_0_0_count_8_value_5 else slice0cost_pixels_first_0_0_count_8_value_6;
+      slice0cost_pixels_first_0_0_count_9_value := to_integer(slice0shift_reference_0(27 downto 27)) = 1;
+      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_search_0_0(27 downto 27)) = 1;
+      slice0cost_pixels_first_0_0_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value_2 when
+        slice0cost_pixels_first_0_0_count_9_value else slice0cost_pixels_first_0_0_count_9_value_2;
+      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
+      slice0cost_pixels_first_0_0_count_9_value_4 := to_integer(slice0shift_search_0_0(29 downto 29)) = 1;
+      slice0cost_pixels_first_0_0_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_4 when
+        slice0cost_pixels_first_0_0_count_9_value_3 else slice0cost_pixels_first_0_0_count_9_value_4;
+      slice0cost_pixels_first_0_0_count_9_value_5 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
+      slice0cost_pixels_first_0_0_count_9_value_6 := to_integer(slice0shift_search_0_0(28 downto 28)) = 1;
+      slice0cost_pixels_first_0_0_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_6 when
+        slice0cost_pixels_first_0_0_count_9_value_5 else slice0cost_pixels_first_0_0_count_9_value_6;
+      slice0cost_pixels_first_0_0_count_10_value := to_integer(slice0shift_reference_0(30 downto 30)) = 1;
+      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_search_0_0(30 downto 30)) = 1;
+      slice0cost_pixels_first_0_0_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value_2 when
+        slice0cost_pixels_first_0_0_count_10_value else slice0cost_pixels_first_0_0_count_10_value_2;
+      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
+      slice0cost_pixels_first_0_0_count_10_value_4 := to_integer(slice0shift_search_0_0(32 downto 32)) = 1;
+      slice0cost_pixels_first_0_0_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_4 when
+        slice0cost_pixels_first_0_0_count_10_value_3 else slice0cost_pixels_first_0_0_count_10_value_4;
+      slice0cost_pixels_first_0_0_count_10_value_5 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
+      slice0cost_pixels_first_0_0_count_10_value_6 := to_integer(slice0shift_search_0_0(31 downto 31)) = 1;
+      slice0cost_pixels_first_0_0_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_6 when
+        slice0cost_pixels_first_0_0_count_10_value_5 else slice0cost_pixels_first_0_0_count_10_value_6;
+      slice0cost_pixels_first_0_0_count_11_value := to_integer(slice0shift_reference_0(33 downto 33)) = 1;
+      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_search_0_0(33 downto 33)) = 1;
+      slice0cost_pixels_first_0_0_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value_2 when
+        slice0cost_pixels_first_0_0_count_11_value else slice0cost_pixels_first_0_0_count_11_value_2;
+      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
+      slice0cost_pixels_first_0_0_count_11_value_4 := to_integer(slice0shift_search_0_0(35 downto 35)) = 1;
+      slice0cost_pixels_first_0_0_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_4 when
+        slice0cost_pixels_first_0_0_count_11_value_3 else slice0cost_pixels_first_0_0_count_11_value_4;
+      slice0cost_pixels_first_0_0_count_11_value_5 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
+      slice0cost_pixels_first_0_0_count_11_value_6 := to_integer(slice0shift_search_0_0(34 downto 34)) = 1;
+      slice0cost_pixels_first_0_0_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_6 when
+        slice0cost_pixels_first_0_0_count_11_value_5 else slice0cost_pixels_first_0_0_count_11_value_6;
+      slice0cost_pixels_first_0_0_count_12_value := to_integer(slice0shift_reference_0(36 downto 36)) = 1;
+      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_search_0_0(36 downto 36)) = 1;
+      slice0cost_pixels_first_0_0_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value_2 when
+        slice0cost_pixels_first_0_0_count_12_value else slice0cost_pixels_first_0_0_count_12_value_2;
+      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
+      slice0cost_pixels_first_0_0_count_12_value_4 := to_integer(slice0shift_search_0_0(38 downto 38)) = 1;
+      slice0cost_pixels_first_0_0_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_4 when
+        slice0cost_pixels_first_0_0_count_12_value_3 else slice0cost_pixels_first_0_0_count_12_value_4;
+      slice0cost_pixels_first_0_0_count_12_value_5 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
+      slice0cost_pixels_first_0_0_count_12_value_6 := to_integer(slice0shift_search_0_0(37 downto 37)) = 1;
+      slice0cost_pixels_first_0_0_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_6 when
+        slice0cost_pixels_first_0_0_count_12_value_5 else slice0cost_pixels_first_0_0_count_12_value_6;
+      slice0cost_pixels_first_0_0_count_13_value := to_integer(slice0shift_reference_0(39 downto 39)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_search_0_0(39 downto 39)) = 1;
+      slice0cost_pixels_first_0_0_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value_2 when
+        slice0cost_pixels_first_0_0_count_13_value else slice0cost_pixels_first_0_0_count_13_value_2;
+      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_4 := to_integer(slice0shift_search_0_0(41 downto 41)) = 1;
+      slice0cost_pixels_first_0_0_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_4 when
+        slice0cost_pixels_first_0_0_count_13_value_3 else slice0cost_pixels_first_0_0_count_13_value_4;
+      slice0cost_pixels_first_0_0_count_13_value_5 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_6 := to_integer(slice0shift_search_0_0(40 downto 40)) = 1;
+      slice0cost_pixels_first_0_0_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_6 when
+        slice0cost_pixels_first_0_0_count_13_value_5 else slice0cost_pixels_first_0_0_count_13_value_6;
+      slice0cost_pixels_first_0_0_count_14_choice := not (to_integer(slice0shift_search_0_0(43 downto 43)) = 1) when
+        to_integer(slice0shift_reference_0(43 downto 43)) = 1 else to_integer(slice0shift_search_0_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_0_count_14_value := to_integer(slice0shift_reference_0(42 downto 42)) = 1;
+      slice0cost_pixels_first_0_0_count_14_value_2 := to_integer(slice0shift_search_0_0(42 downto 42)) = 1;
+      slice0cost_pixels_first_0_0_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_2 when
+        slice0cost_pixels_first_0_0_count_14_value else slice0cost_pixels_first_0_0_count_14_value_2;
+      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
+        to_integer(slice0shift_search_0_1(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
+      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice0shift_search_0_1(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
+      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
+        to_integer(slice0shift_search_0_1(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
+      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice0shift_search_0_1(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
+      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice0shift_search_0_1(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
+      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
+        to_integer(slice0shift_search_0_1(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
+      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice0shift_search_0_1(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
+      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
+        to_integer(slice0shift_search_0_1(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
+      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice0shift_search_0_1(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
+      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice0shift_search_0_1(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
+      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
+        to_integer(slice0shift_search_0_1(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
+      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice0shift_search_0_1(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
+      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice0shift_search_0_1(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
+      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
+        to_integer(slice0shift_search_0_1(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
+      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice0shift_search_0_1(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
+      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice0shift_search_0_1(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
+      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
+        to_integer(slice0shift_search_0_1(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
+      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice0shift_search_0_1(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
+      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice0shift_search_0_1(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
+      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
+        to_integer(slice0shift_search_0_1(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
+      slice0cost_pixels_first_0_1_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice0shift_search_0_1(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice0shift_search_0_1(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
+      slice0cost_pixels_first_0_1_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
+        to_integer(slice0shift_search_0_1(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
+      slice0cost_pixels_first_0_1_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice0shift_search_0_1(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
+      slice0cost_pixels_first_0_1_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice0shift_search_0_1(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
+      slice0cost_pixels_first_0_1_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
+        to_integer(slice0shift_search_0_1(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
+      slice0cost_pixels_first_0_1_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice0shift_search_0_1(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
+      slice0cost_pixels_first_0_1_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice0shift_search_0_1(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
+      slice0cost_pixels_first_0_1_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
+        to_integer(slice0shift_search_0_1(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
+      slice0cost_pixels_first_0_1_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice0shift_search_0_1(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
+      slice0cost_pixels_first_0_1_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice0shift_search_0_1(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
+      slice0cost_pixels_first_0_1_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
+        to_integer(slice0shift_search_0_1(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
+      slice0cost_pixels_first_0_1_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice0shift_search_0_1(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
+      slice0cost_pixels_first_0_1_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice0shift_search_0_1(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
+      slice0cost_pixels_first_0_1_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
+        to_integer(slice0shift_search_0_1(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
+      slice0cost_pixels_first_0_1_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice0shift_search_0_1(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
+      slice0cost_pixels_first_0_1_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice0shift_search_0_1(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
+      slice0cost_pixels_first_0_1_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
+        to_integer(slice0shift_search_0_1(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
+      slice0cost_pixels_first_0_1_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice0shift_search_0_1(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
+      slice0cost_pixels_first_0_1_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice0shift_search_0_1(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
+      slice0cost_pixels_first_0_1_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice0shift_search_0_1(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_1_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
+        to_integer(slice0shift_search_0_1(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
+      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
+        to_integer(slice0shift_search_0_2(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
+      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice0shift_search_0_2(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
+      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
+        to_integer(slice0shift_search_0_2(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
+      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice0shift_search_0_2(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
+      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice0shift_search_0_2(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
+      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
+        to_integer(slice0shift_search_0_2(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
+      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice0shift_search_0_2(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
+      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
+        to_integer(slice0shift_search_0_2(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
+      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice0shift_search_0_2(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
+      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice0shift_search_0_2(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
+      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
+        to_integer(slice0shift_search_0_2(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
+      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice0shift_search_0_2(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
+      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice0shift_search_0_2(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
+      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
+        to_integer(slice0shift_search_0_2(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
+      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice0shift_search_0_2(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
+      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice0shift_search_0_2(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
+      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
+        to_integer(slice0shift_search_0_2(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
+      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice0shift_search_0_2(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
+      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice0shift_search_0_2(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
+      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
+        to_integer(slice0shift_search_0_2(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
+      slice0cost_pixels_first_0_2_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice0shift_search_0_2(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice0shift_search_0_2(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
+      slice0cost_pixels_first_0_2_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
+        to_integer(slice0shift_search_0_2(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
+      slice0cost_pixels_first_0_2_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice0shift_search_0_2(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
+      slice0cost_pixels_first_0_2_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice0shift_search_0_2(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
+      slice0cost_pixels_first_0_2_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
+        to_integer(slice0shift_search_0_2(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
+      slice0cost_pixels_first_0_2_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice0shift_search_0_2(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
+      slice0cost_pixels_first_0_2_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice0shift_search_0_2(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
+      slice0cost_pixels_first_0_2_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
+        to_integer(slice0shift_search_0_2(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
+      slice0cost_pixels_first_0_2_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice0shift_search_0_2(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
+      slice0cost_pixels_first_0_2_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice0shift_search_0_2(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
+      slice0cost_pixels_first_0_2_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
+        to_integer(slice0shift_search_0_2(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
+      slice0cost_pixels_first_0_2_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice0shift_search_0_2(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
+      slice0cost_pixels_first_0_2_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice0shift_search_0_2(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
+      slice0cost_pixels_first_0_2_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
+        to_integer(slice0shift_search_0_2(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
+      slice0cost_pixels_first_0_2_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice0shift_search_0_2(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
+      slice0cost_pixels_first_0_2_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice0shift_search_0_2(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
+      slice0cost_pixels_first_0_2_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
+        to_integer(slice0shift_search_0_2(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
+      slice0cost_pixels_first_0_2_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice0shift_search_0_2(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
+      slice0cost_pixels_first_0_2_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice0shift_search_0_2(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
+      slice0cost_pixels_first_0_2_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice0shift_search_0_2(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_2_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
+        to_integer(slice0shift_search_0_2(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
+      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
+        to_integer(slice0shift_search_0_3(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
+      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice0shift_search_0_3(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
+      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
+        to_integer(slice0shift_search_0_3(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
+      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice0shift_search_0_3(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
+      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice0shift_search_0_3(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
+      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
+        to_integer(slice0shift_search_0_3(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
+      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice0shift_search_0_3(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
+      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
+        to_integer(slice0shift_search_0_3(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
+      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice0shift_search_0_3(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
+      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice0shift_search_0_3(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
+      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
+        to_integer(slice0shift_search_0_3(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
+      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice0shift_search_0_3(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
+      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice0shift_search_0_3(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
+      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
+        to_integer(slice0shift_search_0_3(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
+      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice0shift_search_0_3(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
+      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice0shift_search_0_3(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
+      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
+        to_integer(slice0shift_search_0_3(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
+      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice0shift_search_0_3(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
+      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice0shift_search_0_3(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
+      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
+        to_integer(slice0shift_search_0_3(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
+      slice0cost_pixels_first_0_3_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice0shift_search_0_3(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice0shift_search_0_3(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
+      slice0cost_pixels_first_0_3_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
+        to_integer(slice0shift_search_0_3(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
+      slice0cost_pixels_first_0_3_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice0shift_search_0_3(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
+      slice0cost_pixels_first_0_3_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice0shift_search_0_3(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
+      slice0cost_pixels_first_0_3_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
+        to_integer(slice0shift_search_0_3(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
+      slice0cost_pixels_first_0_3_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice0shift_search_0_3(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
+      slice0cost_pixels_first_0_3_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice0shift_search_0_3(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
+      slice0cost_pixels_first_0_3_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
+        to_integer(slice0shift_search_0_3(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
+      slice0cost_pixels_first_0_3_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice0shift_search_0_3(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
+      slice0cost_pixels_first_0_3_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice0shift_search_0_3(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
+      slice0cost_pixels_first_0_3_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
+        to_integer(slice0shift_search_0_3(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
+      slice0cost_pixels_first_0_3_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice0shift_search_0_3(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
+      slice0cost_pixels_first_0_3_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice0shift_search_0_3(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
+      slice0cost_pixels_first_0_3_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
+        to_integer(slice0shift_search_0_3(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
+      slice0cost_pixels_first_0_3_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice0shift_search_0_3(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
+      slice0cost_pixels_first_0_3_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice0shift_search_0_3(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
+      slice0cost_pixels_first_0_3_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
+        to_integer(slice0shift_search_0_3(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
+      slice0cost_pixels_first_0_3_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice0shift_search_0_3(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
+      slice0cost_pixels_first_0_3_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice0shift_search_0_3(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
+      slice0cost_pixels_first_0_3_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice0shift_search_0_3(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_3_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
+        to_integer(slice0shift_search_0_3(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
+      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
+        to_integer(slice0shift_search_0_4(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
+      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice0shift_search_0_4(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
+      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
+        to_integer(slice0shift_search_0_4(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
+      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice0shift_search_0_4(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
+      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice0shift_search_0_4(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
+      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
+        to_integer(slice0shift_search_0_4(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
+      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice0shift_search_0_4(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
+      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
+        to_integer(slice0shift_search_0_4(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
+      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice0shift_search_0_4(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
+      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice0shift_search_0_4(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
+      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
+        to_integer(slice0shift_search_0_4(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
+      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice0shift_search_0_4(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
+      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice0shift_search_0_4(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
+      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
+        to_integer(slice0shift_search_0_4(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
+      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice0shift_search_0_4(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
+      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice0shift_search_0_4(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
+      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
+        to_integer(slice0shift_search_0_4(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
+      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice0shift_search_0_4(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
+      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice0shift_search_0_4(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
+      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
+        to_integer(slice0shift_search_0_4(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
+      slice0cost_pixels_first_0_4_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice0shift_search_0_4(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice0shift_search_0_4(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
+      slice0cost_pixels_first_0_4_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
+        to_integer(slice0shift_search_0_4(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
+      slice0cost_pixels_first_0_4_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice0shift_search_0_4(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
+      slice0cost_pixels_first_0_4_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice0shift_search_0_4(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
+      slice0cost_pixels_first_0_4_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
+        to_integer(slice0shift_search_0_4(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
+      slice0cost_pixels_first_0_4_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice0shift_search_0_4(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
+      slice0cost_pixels_first_0_4_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice0shift_search_0_4(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
+      slice0cost_pixels_first_0_4_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
+        to_integer(slice0shift_search_0_4(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
+      slice0cost_pixels_first_0_4_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice0shift_search_0_4(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
+      slice0cost_pixels_first_0_4_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice0shift_search_0_4(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
+      slice0cost_pixels_first_0_4_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
+        to_integer(slice0shift_search_0_4(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
+      slice0cost_pixels_first_0_4_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice0shift_search_0_4(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
+      slice0cost_pixels_first_0_4_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice0shift_search_0_4(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
+      slice0cost_pixels_first_0_4_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
+        to_integer(slice0shift_search_0_4(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
+      slice0cost_pixels_first_0_4_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice0shift_search_0_4(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
+      slice0cost_pixels_first_0_4_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice0shift_search_0_4(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
+      slice0cost_pixels_first_0_4_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
+        to_integer(slice0shift_search_0_4(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
+      slice0cost_pixels_first_0_4_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice0shift_search_0_4(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
+      slice0cost_pixels_first_0_4_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice0shift_search_0_4(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
+      slice0cost_pixels_first_0_4_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice0shift_search_0_4(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_4_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
+        to_integer(slice0shift_search_0_4(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
+      slice0cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice0shift_search_0_0(0 downto 0)) = 1) /=
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice)
+        + as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
+      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+      slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_0(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
+      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
+      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
+      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
+      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
+      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
+      slice0cost_pixels_first_0_0_count_8 <= as_number(slice0cost_pixels_first_0_0_count_8_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_8_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_8_choice_3);
+      slice0cost_pixels_first_0_0_count_9 <= as_number(slice0cost_pixels_first_0_0_count_9_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_9_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_9_choice_3);
+      slice0cost_pixels_first_0_0_count_10 <= as_number(slice0cost_pixels_first_0_0_count_10_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_10_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_10_choice_3);
+      slice0cost_pixels_first_0_0_count_11 <= as_number(slice0cost_pixels_first_0_0_count_11_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_11_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_11_choice_3);
+      slice0cost_pixels_first_0_0_count_12 <= as_number(slice0cost_pixels_first_0_0_count_12_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_12_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_12_choice_3);
+      slice0cost_pixels_first_0_0_count_13 <= as_number(slice0cost_pixels_first_0_0_count_13_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_13_choice_2) +
+        as_number(slice0cost_pixels_first_0_0_count_13_choice_3);
+      slice0cost_pixels_first_0_0_count_14 <= as_number(slice0cost_pixels_first_0_0_count_14_choice) +
+        as_number(slice0cost_pixels_first_0_0_count_14_choice_2);
+      slice0cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice0shift_search_0_1(0 downto 0)) = 1) /=
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice)
+        + as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
+      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+      slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_1(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
+      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
+      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
+      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
+      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
+      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
+      slice0cost_pixels_first_0_1_count_8 <= as_number(slice0cost_pixels_first_0_1_count_8_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_8_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_8_choice_3);
+      slice0cost_pixels_first_0_1_count_9 <= as_number(slice0cost_pixels_first_0_1_count_9_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_9_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_9_choice_3);
+      slice0cost_pixels_first_0_1_count_10 <= as_number(slice0cost_pixels_first_0_1_count_10_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_10_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_10_choice_3);
+      slice0cost_pixels_first_0_1_count_11 <= as_number(slice0cost_pixels_first_0_1_count_11_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_11_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_11_choice_3);
+      slice0cost_pixels_first_0_1_count_12 <= as_number(slice0cost_pixels_first_0_1_count_12_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_12_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_12_choice_3);
+      slice0cost_pixels_first_0_1_count_13 <= as_number(slice0cost_pixels_first_0_1_count_13_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_13_choice_2) +
+        as_number(slice0cost_pixels_first_0_1_count_13_choice_3);
+      slice0cost_pixels_first_0_1_count_14 <= as_number(slice0cost_pixels_first_0_1_count_14_choice) +
+        as_number(slice0cost_pixels_first_0_1_count_14_choice_2);
+      slice0cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice0shift_search_0_2(0 downto 0)) = 1) /=
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice)
+        + as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
+      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+      slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_2(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
+      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
+      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
+      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
+      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
+      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
+      slice0cost_pixels_first_0_2_count_8 <= as_number(slice0cost_pixels_first_0_2_count_8_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_8_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_8_choice_3);
+      slice0cost_pixels_first_0_2_count_9 <= as_number(slice0cost_pixels_first_0_2_count_9_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_9_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_9_choice_3);
+      slice0cost_pixels_first_0_2_count_10 <= as_number(slice0cost_pixels_first_0_2_count_10_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_10_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_10_choice_3);
+      slice0cost_pixels_first_0_2_count_11 <= as_number(slice0cost_pixels_first_0_2_count_11_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_11_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_11_choice_3);
+      slice0cost_pixels_first_0_2_count_12 <= as_number(slice0cost_pixels_first_0_2_count_12_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_12_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_12_choice_3);
+      slice0cost_pixels_first_0_2_count_13 <= as_number(slice0cost_pixels_first_0_2_count_13_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_13_choice_2) +
+        as_number(slice0cost_pixels_first_0_2_count_13_choice_3);
+      slice0cost_pixels_first_0_2_count_14 <= as_number(slice0cost_pixels_first_0_2_count_14_choice) +
+        as_number(slice0cost_pixels_first_0_2_count_14_choice_2);
+      slice0cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice0shift_search_0_3(0 downto 0)) = 1) /=
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice)
+        + as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
+      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+      slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_3(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
+      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
+      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
+      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
+      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
+      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
+      slice0cost_pixels_first_0_3_count_8 <= as_number(slice0cost_pixels_first_0_3_count_8_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_8_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_8_choice_3);
+      slice0cost_pixels_first_0_3_count_9 <= as_number(slice0cost_pixels_first_0_3_count_9_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_9_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_9_choice_3);
+      slice0cost_pixels_first_0_3_count_10 <= as_number(slice0cost_pixels_first_0_3_count_10_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_10_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_10_choice_3);
+      slice0cost_pixels_first_0_3_count_11 <= as_number(slice0cost_pixels_first_0_3_count_11_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_11_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_11_choice_3);
+      slice0cost_pixels_first_0_3_count_12 <= as_number(slice0cost_pixels_first_0_3_count_12_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_12_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_12_choice_3);
+      slice0cost_pixels_first_0_3_count_13 <= as_number(slice0cost_pixels_first_0_3_count_13_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_13_choice_2) +
+        as_number(slice0cost_pixels_first_0_3_count_13_choice_3);
+      slice0cost_pixels_first_0_3_count_14 <= as_number(slice0cost_pixels_first_0_3_count_14_choice) +
+        as_number(slice0cost_pixels_first_0_3_count_14_choice_2);
+      slice0cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice0shift_search_0_4(0 downto 0)) = 1) /=
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice)
+        + as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
+      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+      slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_4(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
+      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
+      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
+      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
+      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
+      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
+      slice0cost_pixels_first_0_4_count_8 <= as_number(slice0cost_pixels_first_0_4_count_8_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_8_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_8_choice_3);
+      slice0cost_pixels_first_0_4_count_9 <= as_number(slice0cost_pixels_first_0_4_count_9_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_9_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_9_choice_3);
+      slice0cost_pixels_first_0_4_count_10 <= as_number(slice0cost_pixels_first_0_4_count_10_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_10_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_10_choice_3);
+      slice0cost_pixels_first_0_4_count_11 <= as_number(slice0cost_pixels_first_0_4_count_11_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_11_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_11_choice_3);
+      slice0cost_pixels_first_0_4_count_12 <= as_number(slice0cost_pixels_first_0_4_count_12_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_12_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_12_choice_3);
+      slice0cost_pixels_first_0_4_count_13 <= as_number(slice0cost_pixels_first_0_4_count_13_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_13_choice_2) +
+        as_number(slice0cost_pixels_first_0_4_count_13_choice_3);
+      slice0cost_pixels_first_0_4_count_14 <= as_number(slice0cost_pixels_first_0_4_count_14_choice) +
+        as_number(slice0cost_pixels_first_0_4_count_14_choice_2);
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0_count_3 + slice0cost_pixels_first_0_0_count_7 +
+        slice0cost_pixels_first_0_0_count_12 + slice0cost_pixels_first_0_0_count_6 +
+        slice0cost_pixels_first_0_0_count_9 + slice0cost_pixels_first_0_0_count_14 +
+        slice0cost_pixels_first_0_0_count_11 + slice0cost_pixels_first_0_0_count_2 +
+        slice0cost_pixels_first_0_0_count_10 + slice0cost_pixels_first_0_0_count_4 +
+        slice0cost_pixels_first_0_0_count_8 + slice0cost_pixels_first_0_0_count_1 + slice0cost_pixels_first_0_0_count_5
+        + slice0cost_pixels_first_0_0_count_0 + slice0cost_pixels_first_0_0_count_13;
+      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1_count_3 + slice0cost_pixels_first_0_1_count_7 +
+        slice0cost_pixels_first_0_1_count_12 + slice0cost_pixels_first_0_1_count_6 +
+        slice0cost_pixels_first_0_1_count_9 + slice0cost_pixels_first_0_1_count_14 +
+        slice0cost_pixels_first_0_1_count_11 + slice0cost_pixels_first_0_1_count_2 +
+        slice0cost_pixels_first_0_1_count_10 + slice0cost_pixels_first_0_1_count_4 +
+        slice0cost_pixels_first_0_1_count_8 + slice0cost_pixels_first_0_1_count_1 + slice0cost_pixels_first_0_1_count_5
+        + slice0cost_pixels_first_0_1_count_0 + slice0cost_pixels_first_0_1_count_13;
+      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2_count_3 + slice0cost_pixels_first_0_2_count_7 +
+        slice0cost_pixels_first_0_2_count_12 + slice0cost_pixels_first_0_2_count_6 +
+        slice0cost_pixels_first_0_2_count_9 + slice0cost_pixels_first_0_2_count_14 +
+        slice0cost_pixels_first_0_2_count_11 + slice0cost_pixels_first_0_2_count_2 +
+        slice0cost_pixels_first_0_2_count_10 + slice0cost_pixels_first_0_2_count_4 +
+        slice0cost_pixels_first_0_2_count_8 + slice0cost_pixels_first_0_2_count_1 + slice0cost_pixels_first_0_2_count_5
+        + slice0cost_pixels_first_0_2_count_0 + slice0cost_pixels_first_0_2_count_13;
+      slice0cost_pixels_cost_0_3 <= slice0cost_pixels_first_0_3_count_3 + slice0cost_pixels_first_0_3_count_7 +
+        slice0cost_pixels_first_0_3_count_12 + slice0cost_pixels_first_0_3_count_6 +
+        slice0cost_pixels_first_0_3_count_9 + slice0cost_pixels_first_0_3_count_14 +
+        slice0cost_pixels_first_0_3_count_11 + slice0cost_pixels_first_0_3_count_2 +
+        slice0cost_pixels_first_0_3_count_10 + slice0cost_pixels_first_0_3_count_4 +
+        slice0cost_pixels_first_0_3_count_8 + slice0cost_pixels_first_0_3_count_1 + slice0cost_pixels_first_0_3_count_5
+        + slice0cost_pixels_first_0_3_count_0 + slice0cost_pixels_first_0_3_count_13;
+      slice0cost_pixels_cost_0_4 <= slice0cost_pixels_first_0_4_count_3 + slice0cost_pixels_first_0_4_count_7 +
+        slice0cost_pixels_first_0_4_count_12 + slice0cost_pixels_first_0_4_count_6 +
+        slice0cost_pixels_first_0_4_count_9 + slice0cost_pixels_first_0_4_count_14 +
+        slice0cost_pixels_first_0_4_count_11 + slice0cost_pixels_first_0_4_count_2 +
+        slice0cost_pixels_first_0_4_count_10 + slice0cost_pixels_first_0_4_count_4 +
+        slice0cost_pixels_first_0_4_count_8 + slice0cost_pixels_first_0_4_count_1 + slice0cost_pixels_first_0_4_count_5
+        + slice0cost_pixels_first_0_4_count_0 + slice0cost_pixels_first_0_4_count_13;
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
+      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      -- slice0window
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      slice0window_tag_border_column <= slice0cost_tag_border_column;
+      slice0window_tag_first_cost <= slice0cost_tag_first_cost;
+      slice0window_tag_map_column <= slice0cost_tag_map_column;
+      slice0window_tag_output_column <= slice0cost_tag_output_column;
+      slice0window_tag_start_of_frame <= slice0cost_tag_start_of_frame;
+      slice0window_tag_end_of_line <= slice0cost_tag_end_of_line;
+      -- slice0
+      slice0_held_0_0 <= other_22 / 4;
+      slice0_held_0_1 <= other_21 / 4;
+      slice0_held_0_2 <= other_20 / 4;
+      slice0_held_0_3 <= other_19 / 4;
+      slice0_held_0_4 <= other_18 / 4;
+      slice0_held_1_0 <= slice0_held_0_0;
+      slice0_held_1_1 <= slice0_held_0_1;
+      slice0_held_1_2 <= slice0_held_0_2;
+      slice0_held_1_3 <= slice0_held_0_3;
+      slice0_held_1_4 <= slice0_held_0_4;
+      slice0_held_2_0 <= slice0_held_1_0;
+      slice0_held_2_1 <= slice0_held_1_1;
+      slice0_held_2_2 <= slice0_held_1_2;
+      slice0_held_2_3 <= slice0_held_1_3;
+      slice0_held_2_4 <= slice0_held_1_4;
+      slice0_tag_0_valid <= slice0window_tag_valid;
+      slice0_tag_0_first_cost <= slice0window_tag_first_cost;
+      slice0_tag_0_map_column <= slice0window_tag_map_column;
+      slice0_tag_0_output_column <= slice0window_tag_output_column;
+      slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
+      slice0_tag_1_valid <= slice0_tag_0_valid;
+      slice0_tag_1_first_cost <= slice0_tag_0_first_cost;
+      slice0_tag_1_map_column <= slice0_tag_0_map_column;
+      slice0_tag_1_output_column <= slice0_tag_0_output_column;
+      slice0_tag_1_start_of_frame <= slice0_tag_0_start_of_frame;
+      slice0_tag_1_end_of_line <= slice0_tag_0_end_of_line;
+      slice0_tag_2_valid <= slice0_tag_1_valid;
+      slice0_tag_2_first_cost <= slice0_tag_1_first_cost;
+      slice0_tag_2_map_column <= slice0_tag_1_map_column;
+      slice0_tag_2_output_column <= slice0_tag_1_output_column;
+      slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
+      slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_0_3 <= slice1shift_search_0_2;
+        slice1shift_search_0_4 <= slice1shift_search_0_3;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_search_out_0 <= slice1shift_search_0_4;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_count_0_value := to_integer(slice1shift_reference_0(2 downto 2)) = 1;
+      slice1cost_pixels_first_0_0_count_0_value_2 := to_integer(slice1shift_search_0_0(2 downto 2)) = 1;
+      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
+        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
+      slice1cost_pixels_first_0_0_count_0_value_3 := to_integer(slice1shift_reference_0(1 downto 1)) = 1;
+      slice1cost_pixels_first_0_0_count_0_value_4 := to_integer(slice1shift_search_0_0(1 downto 1)) = 1;
+      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
+        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_1_value := to_integer(slice1shift_reference_0(3 downto 3)) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_2 := to_integer(slice1shift_search_0_0(3 downto 3)) = 1;
+      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
+        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
+      slice1cost_pixels_first_0_0_count_1_value_3 := to_integer(slice1shift_reference_0(5 downto 5)) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_4 := to_integer(slice1shift_search_0_0(5 downto 5)) = 1;
+      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
+        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
+      slice1cost_pixels_first_0_0_count_1_value_5 := to_integer(slice1shift_reference_0(4 downto 4)) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_6 := to_integer(slice1shift_search_0_0(4 downto 4)) = 1;
+      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
+        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_2_value := to_integer(slice1shift_reference_0(8 downto 8)) = 1;
+      slice1cost_pixels_first_0_0_count_2_value_2 := to_integer(slice1shift_search_0_0(8 downto 8)) = 1;
+      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
+        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
+      slice1cost_pixels_first_0_0_count_2_value_3 := to_integer(slice1shift_reference_0(6 downto 6)) = 1;
+      slice1cost_pixels_first_0_0_count_2_value_4 := to_integer(slice1shift_search_0_0(6 downto 6)) = 1;
+      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
+        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_3_value := to_integer(slice1shift_reference_0(9 downto 9)) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_2 := to_integer(slice1shift_search_0_0(9 downto 9)) = 1;
+      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
+        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
+      slice1cost_pixels_first_0_0_count_3_value_3 := to_integer(slice1shift_reference_0(11 downto 11)) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_4 := to_integer(slice1shift_search_0_0(11 downto 11)) = 1;
+      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
+        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
+      slice1cost_pixels_first_0_0_count_3_value_5 := to_integer(slice1shift_reference_0(10 downto 10)) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_6 := to_integer(slice1shift_search_0_0(10 downto 10)) = 1;
+      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
+        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_4_value := to_integer(slice1shift_reference_0(12 downto 12)) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_2 := to_integer(slice1shift_search_0_0(12 downto 12)) = 1;
+      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
+        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
+      slice1cost_pixels_first_0_0_count_4_value_3 := to_integer(slice1shift_reference_0(14 downto 14)) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_4 := to_integer(slice1shift_search_0_0(14 downto 14)) = 1;
+      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
+        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
+      slice1cost_pixels_first_0_0_count_4_value_5 := to_integer(slice1shift_reference_0(13 downto 13)) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_6 := to_integer(slice1shift_search_0_0(13 downto 13)) = 1;
+      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
+        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_5_value := to_integer(slice1shift_reference_0(15 downto 15)) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_2 := to_integer(slice1shift_search_0_0(15 downto 15)) = 1;
+      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
+        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
+      slice1cost_pixels_first_0_0_count_5_value_3 := to_integer(slice1shift_reference_0(17 downto 17)) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_4 := to_integer(slice1shift_search_0_0(17 downto 17)) = 1;
+      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
+        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
+      slice1cost_pixels_first_0_0_count_5_value_5 := to_integer(slice1shift_reference_0(16 downto 16)) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_6 := to_integer(slice1shift_search_0_0(16 downto 16)) = 1;
+      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
+        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_6_value := to_integer(slice1shift_reference_0(18 downto 18)) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_2 := to_integer(slice1shift_search_0_0(18 downto 18)) = 1;
+      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
+        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
+      slice1cost_pixels_first_0_0_count_6_value_3 := to_integer(slice1shift_reference_0(20 downto 20)) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_4 := to_integer(slice1shift_search_0_0(20 downto 20)) = 1;
+      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
+        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
+      slice1cost_pixels_first_0_0_count_6_value_5 := to_integer(slice1shift_reference_0(19 downto 19)) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_6 := to_integer(slice1shift_search_0_0(19 downto 19)) = 1;
+      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
+        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_7_value := to_integer(slice1shift_reference_0(21 downto 21)) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_2 := to_integer(slice1shift_search_0_0(21 downto 21)) = 1;
+      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
+        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
+      slice1cost_pixels_first_0_0_count_7_value_3 := to_integer(slice1shift_reference_0(23 downto 23)) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_4 := to_integer(slice1shift_search_0_0(23 downto 23)) = 1;
+      slice1cost_pixels_first_0_0_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_4 when
+        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
+      slice1cost_pixels_first_0_0_count_7_value_5 := to_integer(slice1shift_reference_0(22 downto 22)) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_6 := to_integer(slice1shift_search_0_0(22 downto 22)) = 1;
+      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_6 when
+        slice1cost_pixels_first_0_0_count_7_value_5 else slice1cost_pixels_first_0_0_count_7_value_6;
+      slice1cost_pixels_first_0_0_count_8_value := to_integer(slice1shift_reference_0(24 downto 24)) = 1;
+      slice1cost_pixels_first_0_0_count_8_value_2 := to_integer(slice1shift_search_0_0(24 downto 24)) = 1;
+      slice1cost_pixels_first_0_0_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value_2 when
+        slice1cost_pixels_first_0_0_count_8_value else slice1cost_pixels_first_0_0_count_8_value_2;
+      slice1cost_pixels_first_0_0_count_8_value_3 := to_integer(slice1shift_reference_0(26 downto 26)) = 1;
+      slice1cost_pixels_first_0_0_count_8_value_4 := to_integer(slice1shift_search_0_0(26 downto 26)) = 1;
+      slice1cost_pixels_first_0_0_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_4 when
+        slice1cost_pixels_first_0_0_count_8_value_3 else slice1cost_pixels_first_0_0_count_8_value_4;
+      slice1cost_pixels_first_0_0_count_8_value_5 := to_integer(slice1shift_reference_0(25 downto 25)) = 1;
+      slice1cost_pixels_first_0_0_count_8_value_6 := to_integer(slice1shift_search_0_0(25 downto 25)) = 1;
+      slice1cost_pixels_first_0_0_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_6 when
+        slice1cost_pixels_first_0_0_count_8_value_5 else slice1cost_pixels_first_0_0_count_8_value_6;
+      slice1cost_pixels_first_0_0_count_9_value := to_integer(slice1shift_reference_0(27 downto 27)) = 1;
+      slice1cost_pixels_first_0_0_count_9_value_2 := to_integer(slice1shift_search_0_0(27 downto 27)) = 1;
+      slice1cost_pixels_first_0_0_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value_2 when
+        slice1cost_pixels_first_0_0_count_9_value else slice1cost_pixels_first_0_0_count_9_value_2;
+      slice1cost_pixels_first_0_0_count_9_value_3 := to_integer(slice1shift_reference_0(29 downto 29)) = 1;
+      slice1cost_pixels_first_0_0_count_9_value_4 := to_integer(slice1shift_search_0_0(29 downto 29)) = 1;
+      slice1cost_pixels_first_0_0_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_4 when
+        slice1cost_pixels_first_0_0_count_9_value_3 else slice1cost_pixels_first_0_0_count_9_value_4;
+      slice1cost_pixels_first_0_0_count_9_value_5 := to_integer(slice1shift_reference_0(28 downto 28)) = 1;
+      slice1cost_pixels_first_0_0_count_9_value_6 := to_integer(slice1shift_search_0_0(28 downto 28)) = 1;
+      slice1cost_pixels_first_0_0_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_6 when
+        slice1cost_pixels_first_0_0_count_9_value_5 else slice1cost_pixels_first_0_0_count_9_value_6;
+      slice1cost_pixels_first_0_0_count_10_value := to_integer(slice1shift_reference_0(30 downto 30)) = 1;
+      slice1cost_pixels_first_0_0_count_10_value_2 := to_integer(slice1shift_search_0_0(30 downto 30)) = 1;
+      slice1cost_pixels_first_0_0_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value_2 when
+        slice1cost_pixels_first_0_0_count_10_value else slice1cost_pixels_first_0_0_count_10_value_2;
+      slice1cost_pixels_first_0_0_count_10_value_3 := to_integer(slice1shift_reference_0(32 downto 32)) = 1;
+      slice1cost_pixels_first_0_0_count_10_value_4 := to_integer(slice1shift_search_0_0(32 downto 32)) = 1;
+      slice1cost_pixels_first_0_0_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_4 when
+        slice1cost_pixels_first_0_0_count_10_value_3 else slice1cost_pixels_first_0_0_count_10_value_4;
+      slice1cost_pixels_first_0_0_count_10_value_5 := to_integer(slice1shift_reference_0(31 downto 31)) = 1;
+      slice1cost_pixels_first_0_0_count_10_value_6 := to_integer(slice1shift_search_0_0(31 downto 31)) = 1;
+      slice1cost_pixels_first_0_0_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_6 when
+        slice1cost_pixels_first_0_0_count_10_value_5 else slice1cost_pixels_first_0_0_count_10_value_6;
+      slice1cost_pixels_first_0_0_count_11_value := to_integer(slice1shift_reference_0(33 downto 33)) = 1;
+      slice1cost_pixels_first_0_0_count_11_value_2 := to_integer(slice1shift_search_0_0(33 downto 33)) = 1;
+      slice1cost_pixels_first_0_0_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value_2 when
+        slice1cost_pixels_first_0_0_count_11_value else slice1cost_pixels_first_0_0_count_11_value_2;
+      slice1cost_pixels_first_0_0_count_11_value_3 := to_integer(slice1shift_reference_0(35 downto 35)) = 1;
+      slice1cost_pixels_first_0_0_count_11_value_4 := to_integer(slice1shift_search_0_0(35 downto 35)) = 1;
+      slice1cost_pixels_first_0_0_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_4 when
+        slice1cost_pixels_first_0_0_count_11_value_3 else slice1cost_pixels_first_0_0_count_11_value_4;
+      slice1cost_pixels_first_0_0_count_11_value_5 := to_integer(slice1shift_reference_0(34 downto 34)) = 1;
+      slice1cost_pixels_first_0_0_count_11_value_6 := to_integer(slice1shift_search_0_0(34 downto 34)) = 1;
+      slice1cost_pixels_first_0_0_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_6 when
+        slice1cost_pixels_first_0_0_count_11_value_5 else slice1cost_pixels_first_0_0_count_11_value_6;
+      slice1cost_pixels_first_0_0_count_12_value := to_integer(slice1shift_reference_0(36 downto 36)) = 1;
+      slice1cost_pixels_first_0_0_count_12_value_2 := to_integer(slice1shift_search_0_0(36 downto 36)) = 1;
+      slice1cost_pixels_first_0_0_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value_2 when
+        slice1cost_pixels_first_0_0_count_12_value else slice1cost_pixels_first_0_0_count_12_value_2;
+      slice1cost_pixels_first_0_0_count_12_value_3 := to_integer(slice1shift_reference_0(38 downto 38)) = 1;
+      slice1cost_pixels_first_0_0_count_12_value_4 := to_integer(slice1shift_search_0_0(38 downto 38)) = 1;
+      slice1cost_pixels_first_0_0_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_4 when
+        slice1cost_pixels_first_0_0_count_12_value_3 else slice1cost_pixels_first_0_0_count_12_value_4;
+      slice1cost_pixels_first_0_0_count_12_value_5 := to_integer(slice1shift_reference_0(37 downto 37)) = 1;
+      slice1cost_pixels_first_0_0_count_12_value_6 := to_integer(slice1shift_search_0_0(37 downto 37)) = 1;
+      slice1cost_pixels_first_0_0_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_6 when
+        slice1cost_pixels_first_0_0_count_12_value_5 else slice1cost_pixels_first_0_0_count_12_value_6;
+      slice1cost_pixels_first_0_0_count_13_value := to_integer(slice1shift_reference_0(39 downto 39)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_2 := to_integer(slice1shift_search_0_0(39 downto 39)) = 1;
+      slice1cost_pixels_first_0_0_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value_2 when
+        slice1cost_pixels_first_0_0_count_13_value else slice1cost_pixels_first_0_0_count_13_value_2;
+      slice1cost_pixels_first_0_0_count_13_value_3 := to_integer(slice1shift_reference_0(41 downto 41)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_4 := to_integer(slice1shift_search_0_0(41 downto 41)) = 1;
+      slice1cost_pixels_first_0_0_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_4 when
+        slice1cost_pixels_first_0_0_count_13_value_3 else slice1cost_pixels_first_0_0_count_13_value_4;
+      slice1cost_pixels_first_0_0_count_13_value_5 := to_integer(slice1shift_reference_0(40 downto 40)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_6 := to_integer(slice1shift_search_0_0(40 downto 40)) = 1;
+      slice1cost_pixels_first_0_0_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_6 when
+        slice1cost_pixels_first_0_0_count_13_value_5 else slice1cost_pixels_first_0_0_count_13_value_6;
+      slice1cost_pixels_first_0_0_count_14_choice := not (to_integer(slice1shift_search_0_0(43 downto 43)) = 1) when
+        to_integer(slice1shift_reference_0(43 downto 43)) = 1 else to_integer(slice1shift_search_0_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_0_count_14_value := to_integer(slice1shift_reference_0(42 downto 42)) = 1;
+      slice1cost_pixels_first_0_0_count_14_value_2 := to_integer(slice1shift_search_0_0(42 downto 42)) = 1;
+      slice1cost_pixels_first_0_0_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value_2 when
+        slice1cost_pixels_first_0_0_count_14_value else slice1cost_pixels_first_0_0_count_14_value_2;
+      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
+        to_integer(slice1shift_search_0_1(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
+      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice1shift_search_0_1(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
+      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
+        to_integer(slice1shift_search_0_1(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
+      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice1shift_search_0_1(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
+      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice1shift_search_0_1(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
+      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
+        to_integer(slice1shift_search_0_1(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
+      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice1shift_search_0_1(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
+      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
+        to_integer(slice1shift_search_0_1(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
+      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice1shift_search_0_1(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
+      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice1shift_search_0_1(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
+      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
+        to_integer(slice1shift_search_0_1(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
+      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice1shift_search_0_1(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
+      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice1shift_search_0_1(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
+      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
+        to_integer(slice1shift_search_0_1(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
+      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice1shift_search_0_1(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
+      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice1shift_search_0_1(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
+      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
+        to_integer(slice1shift_search_0_1(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
+      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice1shift_search_0_1(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
+      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice1shift_search_0_1(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
+      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
+        to_integer(slice1shift_search_0_1(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
+      slice1cost_pixels_first_0_1_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice1shift_search_0_1(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice1shift_search_0_1(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
+      slice1cost_pixels_first_0_1_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
+        to_integer(slice1shift_search_0_1(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
+      slice1cost_pixels_first_0_1_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice1shift_search_0_1(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
+      slice1cost_pixels_first_0_1_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice1shift_search_0_1(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
+      slice1cost_pixels_first_0_1_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
+        to_integer(slice1shift_search_0_1(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
+      slice1cost_pixels_first_0_1_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice1shift_search_0_1(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
+      slice1cost_pixels_first_0_1_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice1shift_search_0_1(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
+      slice1cost_pixels_first_0_1_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
+        to_integer(slice1shift_search_0_1(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
+      slice1cost_pixels_first_0_1_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice1shift_search_0_1(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
+      slice1cost_pixels_first_0_1_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice1shift_search_0_1(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
+      slice1cost_pixels_first_0_1_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
+        to_integer(slice1shift_search_0_1(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
+      slice1cost_pixels_first_0_1_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice1shift_search_0_1(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
+      slice1cost_pixels_first_0_1_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice1shift_search_0_1(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
+      slice1cost_pixels_first_0_1_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
+        to_integer(slice1shift_search_0_1(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
+      slice1cost_pixels_first_0_1_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice1shift_search_0_1(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
+      slice1cost_pixels_first_0_1_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice1shift_search_0_1(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
+      slice1cost_pixels_first_0_1_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
+        to_integer(slice1shift_search_0_1(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
+      slice1cost_pixels_first_0_1_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice1shift_search_0_1(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
+      slice1cost_pixels_first_0_1_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice1shift_search_0_1(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
+      slice1cost_pixels_first_0_1_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice1shift_search_0_1(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_1_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
+        to_integer(slice1shift_search_0_1(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
+      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
+        to_integer(slice1shift_search_0_2(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
+      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice1shift_search_0_2(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
+      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
+        to_integer(slice1shift_search_0_2(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
+      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice1shift_search_0_2(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
+      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice1shift_search_0_2(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
+      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
+        to_integer(slice1shift_search_0_2(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
+      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice1shift_search_0_2(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
+      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
+        to_integer(slice1shift_search_0_2(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
+      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice1shift_search_0_2(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
+      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice1shift_search_0_2(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
+      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
+        to_integer(slice1shift_search_0_2(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
+      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice1shift_search_0_2(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
+      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice1shift_search_0_2(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
+      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
+        to_integer(slice1shift_search_0_2(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
+      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice1shift_search_0_2(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
+      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice1shift_search_0_2(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
+      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
+        to_integer(slice1shift_search_0_2(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
+      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice1shift_search_0_2(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
+      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice1shift_search_0_2(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
+      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
+        to_integer(slice1shift_search_0_2(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
+      slice1cost_pixels_first_0_2_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice1shift_search_0_2(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice1shift_search_0_2(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
+      slice1cost_pixels_first_0_2_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
+        to_integer(slice1shift_search_0_2(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
+      slice1cost_pixels_first_0_2_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice1shift_search_0_2(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
+      slice1cost_pixels_first_0_2_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice1shift_search_0_2(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
+      slice1cost_pixels_first_0_2_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
+        to_integer(slice1shift_search_0_2(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
+      slice1cost_pixels_first_0_2_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice1shift_search_0_2(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
+      slice1cost_pixels_first_0_2_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice1shift_search_0_2(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
+      slice1cost_pixels_first_0_2_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
+        to_integer(slice1shift_search_0_2(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
+      slice1cost_pixels_first_0_2_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice1shift_search_0_2(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
+      slice1cost_pixels_first_0_2_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice1shift_search_0_2(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
+      slice1cost_pixels_first_0_2_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
+        to_integer(slice1shift_search_0_2(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
+      slice1cost_pixels_first_0_2_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice1shift_search_0_2(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
+      slice1cost_pixels_first_0_2_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice1shift_search_0_2(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
+      slice1cost_pixels_first_0_2_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
+        to_integer(slice1shift_search_0_2(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
+      slice1cost_pixels_first_0_2_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice1shift_search_0_2(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
+      slice1cost_pixels_first_0_2_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice1shift_search_0_2(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
+      slice1cost_pixels_first_0_2_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
+        to_integer(slice1shift_search_0_2(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
+      slice1cost_pixels_first_0_2_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice1shift_search_0_2(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
+      slice1cost_pixels_first_0_2_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice1shift_search_0_2(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
+      slice1cost_pixels_first_0_2_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice1shift_search_0_2(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_2_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
+        to_integer(slice1shift_search_0_2(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
+      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
+        to_integer(slice1shift_search_0_3(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
+      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice1shift_search_0_3(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
+      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
+        to_integer(slice1shift_search_0_3(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
+      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice1shift_search_0_3(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
+      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice1shift_search_0_3(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
+      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
+        to_integer(slice1shift_search_0_3(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
+      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice1shift_search_0_3(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
+      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
+        to_integer(slice1shift_search_0_3(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
+      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice1shift_search_0_3(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
+      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice1shift_search_0_3(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
+      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
+        to_integer(slice1shift_search_0_3(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
+      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice1shift_search_0_3(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
+      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice1shift_search_0_3(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
+      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
+        to_integer(slice1shift_search_0_3(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
+      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice1shift_search_0_3(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
+      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice1shift_search_0_3(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
+      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
+        to_integer(slice1shift_search_0_3(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
+      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice1shift_search_0_3(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
+      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice1shift_search_0_3(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
+      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
+        to_integer(slice1shift_search_0_3(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
+      slice1cost_pixels_first_0_3_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice1shift_search_0_3(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice1shift_search_0_3(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
+      slice1cost_pixels_first_0_3_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
+        to_integer(slice1shift_search_0_3(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
+      slice1cost_pixels_first_0_3_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice1shift_search_0_3(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
+      slice1cost_pixels_first_0_3_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice1shift_search_0_3(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
+      slice1cost_pixels_first_0_3_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
+        to_integer(slice1shift_search_0_3(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
+      slice1cost_pixels_first_0_3_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice1shift_search_0_3(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
+      slice1cost_pixels_first_0_3_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice1shift_search_0_3(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
+      slice1cost_pixels_first_0_3_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
+        to_integer(slice1shift_search_0_3(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
+      slice1cost_pixels_first_0_3_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice1shift_search_0_3(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
+      slice1cost_pixels_first_0_3_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice1shift_search_0_3(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
+      slice1cost_pixels_first_0_3_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
+        to_integer(slice1shift_search_0_3(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
+      slice1cost_pixels_first_0_3_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice1shift_search_0_3(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
+      slice1cost_pixels_first_0_3_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice1shift_search_0_3(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
+      slice1cost_pixels_first_0_3_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
+        to_integer(slice1shift_search_0_3(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
+      slice1cost_pixels_first_0_3_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice1shift_search_0_3(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
+      slice1cost_pixels_first_0_3_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice1shift_search_0_3(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
+      slice1cost_pixels_first_0_3_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
+        to_integer(slice1shift_search_0_3(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
+      slice1cost_pixels_first_0_3_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice1shift_search_0_3(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
+      slice1cost_pixels_first_0_3_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice1shift_search_0_3(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
+      slice1cost_pixels_first_0_3_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice1shift_search_0_3(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_3_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
+        to_integer(slice1shift_search_0_3(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
+      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
+        to_integer(slice1shift_search_0_4(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
+      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice1shift_search_0_4(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
+      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
+        to_integer(slice1shift_search_0_4(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
+      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice1shift_search_0_4(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
+      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice1shift_search_0_4(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
+      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
+        to_integer(slice1shift_search_0_4(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
+      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice1shift_search_0_4(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
+      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
+        to_integer(slice1shift_search_0_4(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
+      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice1shift_search_0_4(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
+      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice1shift_search_0_4(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
+      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
+        to_integer(slice1shift_search_0_4(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
+      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice1shift_search_0_4(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
+      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice1shift_search_0_4(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
+      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
+        to_integer(slice1shift_search_0_4(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
+      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice1shift_search_0_4(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
+      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice1shift_search_0_4(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
+      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
+        to_integer(slice1shift_search_0_4(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
+      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice1shift_search_0_4(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
+      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice1shift_search_0_4(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
+      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
+        to_integer(slice1shift_search_0_4(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
+      slice1cost_pixels_first_0_4_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice1shift_search_0_4(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice1shift_search_0_4(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
+      slice1cost_pixels_first_0_4_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
+        to_integer(slice1shift_search_0_4(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
+      slice1cost_pixels_first_0_4_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice1shift_search_0_4(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
+      slice1cost_pixels_first_0_4_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice1shift_search_0_4(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
+      slice1cost_pixels_first_0_4_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
+        to_integer(slice1shift_search_0_4(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
+      slice1cost_pixels_first_0_4_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice1shift_search_0_4(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
+      slice1cost_pixels_first_0_4_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice1shift_search_0_4(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
+      slice1cost_pixels_first_0_4_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
+        to_integer(slice1shift_search_0_4(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
+      slice1cost_pixels_first_0_4_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice1shift_search_0_4(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
+      slice1cost_pixels_first_0_4_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice1shift_search_0_4(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
+      slice1cost_pixels_first_0_4_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
+        to_integer(slice1shift_search_0_4(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
+      slice1cost_pixels_first_0_4_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice1shift_search_0_4(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
+      slice1cost_pixels_first_0_4_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice1shift_search_0_4(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
+      slice1cost_pixels_first_0_4_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
+        to_integer(slice1shift_search_0_4(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
+      slice1cost_pixels_first_0_4_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice1shift_search_0_4(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
+      slice1cost_pixels_first_0_4_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice1shift_search_0_4(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
+      slice1cost_pixels_first_0_4_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
+        to_integer(slice1shift_search_0_4(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
+      slice1cost_pixels_first_0_4_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice1shift_search_0_4(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
+      slice1cost_pixels_first_0_4_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice1shift_search_0_4(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
+      slice1cost_pixels_first_0_4_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice1shift_search_0_4(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_4_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
+        to_integer(slice1shift_search_0_4(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
+      slice1cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice1shift_search_0_0(0 downto 0)) = 1) /=
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice)
+        + as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
+      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+      slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_0(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
+      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
+      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
+      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
+      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
+      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
+      slice1cost_pixels_first_0_0_count_8 <= as_number(slice1cost_pixels_first_0_0_count_8_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_8_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_8_choice_3);
+      slice1cost_pixels_first_0_0_count_9 <= as_number(slice1cost_pixels_first_0_0_count_9_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_9_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_9_choice_3);
+      slice1cost_pixels_first_0_0_count_10 <= as_number(slice1cost_pixels_first_0_0_count_10_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_10_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_10_choice_3);
+      slice1cost_pixels_first_0_0_count_11 <= as_number(slice1cost_pixels_first_0_0_count_11_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_11_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_11_choice_3);
+      slice1cost_pixels_first_0_0_count_12 <= as_number(slice1cost_pixels_first_0_0_count_12_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_12_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_12_choice_3);
+      slice1cost_pixels_first_0_0_count_13 <= as_number(slice1cost_pixels_first_0_0_count_13_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_13_choice_2) +
+        as_number(slice1cost_pixels_first_0_0_count_13_choice_3);
+      slice1cost_pixels_first_0_0_count_14 <= as_number(slice1cost_pixels_first_0_0_count_14_choice) +
+        as_number(slice1cost_pixels_first_0_0_count_14_choice_2);
+      slice1cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice1shift_search_0_1(0 downto 0)) = 1) /=
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice)
+        + as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
+      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+      slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_1(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
+      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
+      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
+      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
+      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
+      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
+      slice1cost_pixels_first_0_1_count_8 <= as_number(slice1cost_pixels_first_0_1_count_8_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_8_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_8_choice_3);
+      slice1cost_pixels_first_0_1_count_9 <= as_number(slice1cost_pixels_first_0_1_count_9_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_9_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_9_choice_3);
+      slice1cost_pixels_first_0_1_count_10 <= as_number(slice1cost_pixels_first_0_1_count_10_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_10_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_10_choice_3);
+      slice1cost_pixels_first_0_1_count_11 <= as_number(slice1cost_pixels_first_0_1_count_11_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_11_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_11_choice_3);
+      slice1cost_pixels_first_0_1_count_12 <= as_number(slice1cost_pixels_first_0_1_count_12_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_12_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_12_choice_3);
+      slice1cost_pixels_first_0_1_count_13 <= as_number(slice1cost_pixels_first_0_1_count_13_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_13_choice_2) +
+        as_number(slice1cost_pixels_first_0_1_count_13_choice_3);
+      slice1cost_pixels_first_0_1_count_14 <= as_number(slice1cost_pixels_first_0_1_count_14_choice) +
+        as_number(slice1cost_pixels_first_0_1_count_14_choice_2);
+      slice1cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice1shift_search_0_2(0 downto 0)) = 1) /=
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice)
+        + as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
+      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+      slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_2(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
+      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
+      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
+      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
+      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
+      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
+      slice1cost_pixels_first_0_2_count_8 <= as_number(slice1cost_pixels_first_0_2_count_8_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_8_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_8_choice_3);
+      slice1cost_pixels_first_0_2_count_9 <= as_number(slice1cost_pixels_first_0_2_count_9_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_9_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_9_choice_3);
+      slice1cost_pixels_first_0_2_count_10 <= as_number(slice1cost_pixels_first_0_2_count_10_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_10_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_10_choice_3);
+      slice1cost_pixels_first_0_2_count_11 <= as_number(slice1cost_pixels_first_0_2_count_11_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_11_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_11_choice_3);
+      slice1cost_pixels_first_0_2_count_12 <= as_number(slice1cost_pixels_first_0_2_count_12_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_12_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_12_choice_3);
+      slice1cost_pixels_first_0_2_count_13 <= as_number(slice1cost_pixels_first_0_2_count_13_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_13_choice_2) +
+        as_number(slice1cost_pixels_first_0_2_count_13_choice_3);
+      slice1cost_pixels_first_0_2_count_14 <= as_number(slice1cost_pixels_first_0_2_count_14_choice) +
+        as_number(slice1cost_pixels_first_0_2_count_14_choice_2);
+      slice1cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice1shift_search_0_3(0 downto 0)) = 1) /=
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice)
+        + as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
+      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+      slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_3(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
+      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
+      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
+      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
+      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
+      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
+      slice1cost_pixels_first_0_3_count_8 <= as_number(slice1cost_pixels_first_0_3_count_8_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_8_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_8_choice_3);
+      slice1cost_pixels_first_0_3_count_9 <= as_number(slice1cost_pixels_first_0_3_count_9_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_9_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_9_choice_3);
+      slice1cost_pixels_first_0_3_count_10 <= as_number(slice1cost_pixels_first_0_3_count_10_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_10_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_10_choice_3);
+      slice1cost_pixels_first_0_3_count_11 <= as_number(slice1cost_pixels_first_0_3_count_11_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_11_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_11_choice_3);
+      slice1cost_pixels_first_0_3_count_12 <= as_number(slice1cost_pixels_first_0_3_count_12_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_12_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_12_choice_3);
+      slice1cost_pixels_first_0_3_count_13 <= as_number(slice1cost_pixels_first_0_3_count_13_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_13_choice_2) +
+        as_number(slice1cost_pixels_first_0_3_count_13_choice_3);
+      slice1cost_pixels_first_0_3_count_14 <= as_number(slice1cost_pixels_first_0_3_count_14_choice) +
+        as_number(slice1cost_pixels_first_0_3_count_14_choice_2);
+      slice1cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice1shift_search_0_4(0 downto 0)) = 1) /=
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice)
+        + as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
+      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+      slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_4(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
+      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
+      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
+      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
+      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
+      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
+      slice1cost_pixels_first_0_4_count_8 <= as_number(slice1cost_pixels_first_0_4_count_8_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_8_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_8_choice_3);
+      slice1cost_pixels_first_0_4_count_9 <= as_number(slice1cost_pixels_first_0_4_count_9_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_9_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_9_choice_3);
+      slice1cost_pixels_first_0_4_count_10 <= as_number(slice1cost_pixels_first_0_4_count_10_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_10_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_10_choice_3);
+      slice1cost_pixels_first_0_4_count_11 <= as_number(slice1cost_pixels_first_0_4_count_11_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_11_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_11_choice_3);
+      slice1cost_pixels_first_0_4_count_12 <= as_number(slice1cost_pixels_first_0_4_count_12_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_12_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_12_choice_3);
+      slice1cost_pixels_first_0_4_count_13 <= as_number(slice1cost_pixels_first_0_4_count_13_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_13_choice_2) +
+        as_number(slice1cost_pixels_first_0_4_count_13_choice_3);
+      slice1cost_pixels_first_0_4_count_14 <= as_number(slice1cost_pixels_first_0_4_count_14_choice) +
+        as_number(slice1cost_pixels_first_0_4_count_14_choice_2);
+      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_7 +
+        slice1cost_pixels_first_0_0_count_12 + slice1cost_pixels_first_0_0_count_6 +
+        slice1cost_pixels_first_0_0_count_9 + slice1cost_pixels_first_0_0_count_14 +
+        slice1cost_pixels_first_0_0_count_11 + slice1cost_pixels_first_0_0_count_2 +
+        slice1cost_pixels_first_0_0_count_10 + slice1cost_pixels_first_0_0_count_4 +
+        slice1cost_pixels_first_0_0_count_8 + slice1cost_pixels_first_0_0_count_1 + slice1cost_pixels_first_0_0_count_5
+        + slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_13;
+      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1_count_3 + slice1cost_pixels_first_0_1_count_7 +
+        slice1cost_pixels_first_0_1_count_12 + slice1cost_pixels_first_0_1_count_6 +
+        slice1cost_pixels_first_0_1_count_9 + slice1cost_pixels_first_0_1_count_14 +
+        slice1cost_pixels_first_0_1_count_11 + slice1cost_pixels_first_0_1_count_2 +
+        slice1cost_pixels_first_0_1_count_10 + slice1cost_pixels_first_0_1_count_4 +
+        slice1cost_pixels_first_0_1_count_8 + slice1cost_pixels_first_0_1_count_1 + slice1cost_pixels_first_0_1_count_5
+        + slice1cost_pixels_first_0_1_count_0 + slice1cost_pixels_first_0_1_count_13;
+      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2_count_3 + slice1cost_pixels_first_0_2_count_7 +
+        slice1cost_pixels_first_0_2_count_12 + slice1cost_pixels_first_0_2_count_6 +
+        slice1cost_pixels_first_0_2_count_9 + slice1cost_pixels_first_0_2_count_14 +
+        slice1cost_pixels_first_0_2_count_11 + slice1cost_pixels_first_0_2_count_2 +
+        slice1cost_pixels_first_0_2_count_10 + slice1cost_pixels_first_0_2_count_4 +
+        slice1cost_pixels_first_0_2_count_8 + slice1cost_pixels_first_0_2_count_1 + slice1cost_pixels_first_0_2_count_5
+        + slice1cost_pixels_first_0_2_count_0 + slice1cost_pixels_first_0_2_count_13;
+      slice1cost_pixels_cost_0_3 <= slice1cost_pixels_first_0_3_count_3 + slice1cost_pixels_first_0_3_count_7 +
+        slice1cost_pixels_first_0_3_count_12 + slice1cost_pixels_first_0_3_count_6 +
+        slice1cost_pixels_first_0_3_count_9 + slice1cost_pixels_first_0_3_count_14 +
+        slice1cost_pixels_first_0_3_count_11 + slice1cost_pixels_first_0_3_count_2 +
+        slice1cost_pixels_first_0_3_count_10 + slice1cost_pixels_first_0_3_count_4 +
+        slice1cost_pixels_first_0_3_count_8 + slice1cost_pixels_first_0_3_count_1 + slice1cost_pixels_first_0_3_count_5
+        + slice1cost_pixels_first_0_3_count_0 + slice1cost_pixels_first_0_3_count_13;
+      slice1cost_pixels_cost_0_4 <= slice1cost_pixels_first_0_4_count_3 + slice1cost_pixels_first_0_4_count_7 +
+        slice1cost_pixels_first_0_4_count_12 + slice1cost_pixels_first_0_4_count_6 +
+        slice1cost_pixels_first_0_4_count_9 + slice1cost_pixels_first_0_4_count_14 +
+        slice1cost_pixels_first_0_4_count_11 + slice1cost_pixels_first_0_4_count_2 +
+        slice1cost_pixels_first_0_4_count_10 + slice1cost_pixels_first_0_4_count_4 +
+        slice1cost_pixels_first_0_4_count_8 + slice1cost_pixels_first_0_4_count_1 + slice1cost_pixels_first_0_4_count_5
+        + slice1cost_pixels_first_0_4_count_0 + slice1cost_pixels_first_0_4_count_13;
+      -- slice1
+      slice1_held_0_0 <= other_12 / 4;
+      slice1_held_0_1 <= other_11 / 4;
+      slice1_held_0_2 <= other_10 / 4;
+      slice1_held_0_3 <= other_9 / 4;
+      slice1_held_0_4 <= other_8 / 4;
+      slice1_held_1_0 <= slice1_held_0_0;
+      slice1_held_1_1 <= slice1_held_0_1;
+      slice1_held_1_2 <= slice1_held_0_2;
+      slice1_held_1_3 <= slice1_held_0_3;
+      slice1_held_1_4 <= slice1_held_0_4;
+      -- slice2shift
+      if slice0cost_pixels_first_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      -- slice2cost
+      slice2cost_pixels_first_0_0_count_0_value := to_integer(slice2shift_reference_0(2 downto 2)) = 1;
+      slice2cost_pixels_first_0_0_count_0_value_2 := to_integer(slice2shift_search_0_0(2 downto 2)) = 1;
+      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
+        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
+      slice2cost_pixels_first_0_0_count_0_value_3 := to_integer(slice2shift_reference_0(1 downto 1)) = 1;
+      slice2cost_pixels_first_0_0_count_0_value_4 := to_integer(slice2shift_search_0_0(1 downto 1)) = 1;
+      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
+        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_1_value := to_integer(slice2shift_reference_0(3 downto 3)) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_2 := to_integer(slice2shift_search_0_0(3 downto 3)) = 1;
+      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
+        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
+      slice2cost_pixels_first_0_0_count_1_value_3 := to_integer(slice2shift_reference_0(5 downto 5)) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_4 := to_integer(slice2shift_search_0_0(5 downto 5)) = 1;
+      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
+        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
+      slice2cost_pixels_first_0_0_count_1_value_5 := to_integer(slice2shift_reference_0(4 downto 4)) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_6 := to_integer(slice2shift_search_0_0(4 downto 4)) = 1;
+      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
+        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_2_value := to_integer(slice2shift_reference_0(8 downto 8)) = 1;
+      slice2cost_pixels_first_0_0_count_2_value_2 := to_integer(slice2shift_search_0_0(8 downto 8)) = 1;
+      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
+        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
+      slice2cost_pixels_first_0_0_count_2_value_3 := to_integer(slice2shift_reference_0(6 downto 6)) = 1;
+      slice2cost_pixels_first_0_0_count_2_value_4 := to_integer(slice2shift_search_0_0(6 downto 6)) = 1;
+      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
+        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_3_value := to_integer(slice2shift_reference_0(9 downto 9)) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_2 := to_integer(slice2shift_search_0_0(9 downto 9)) = 1;
+      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
+        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
+      slice2cost_pixels_first_0_0_count_3_value_3 := to_integer(slice2shift_reference_0(11 downto 11)) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_4 := to_integer(slice2shift_search_0_0(11 downto 11)) = 1;
+      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
+        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
+      slice2cost_pixels_first_0_0_count_3_value_5 := to_integer(slice2shift_reference_0(10 downto 10)) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_6 := to_integer(slice2shift_search_0_0(10 downto 10)) = 1;
+      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
+        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_4_value := to_integer(slice2shift_reference_0(12 downto 12)) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_2 := to_integer(slice2shift_search_0_0(12 downto 12)) = 1;
+      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
+        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
+      slice2cost_pixels_first_0_0_count_4_value_3 := to_integer(slice2shift_reference_0(14 downto 14)) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_4 := to_integer(slice2shift_search_0_0(14 downto 14)) = 1;
+      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
+        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
+      slice2cost_pixels_first_0_0_count_4_value_5 := to_integer(slice2shift_reference_0(13 downto 13)) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_6 := to_integer(slice2shift_search_0_0(13 downto 13)) = 1;
+      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
+        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_5_value := to_integer(slice2shift_reference_0(15 downto 15)) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_2 := to_integer(slice2shift_search_0_0(15 downto 15)) = 1;
+      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
+        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
+      slice2cost_pixels_first_0_0_count_5_value_3 := to_integer(slice2shift_reference_0(17 downto 17)) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_4 := to_integer(slice2shift_search_0_0(17 downto 17)) = 1;
+      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
+        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
+      slice2cost_pixels_first_0_0_count_5_value_5 := to_integer(slice2shift_reference_0(16 downto 16)) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_6 := to_integer(slice2shift_search_0_0(16 downto 16)) = 1;
+      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
+        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_6_value := to_integer(slice2shift_reference_0(18 downto 18)) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_2 := to_integer(slice2shift_search_0_0(18 downto 18)) = 1;
+      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
+        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
+      slice2cost_pixels_first_0_0_count_6_value_3 := to_integer(slice2shift_reference_0(20 downto 20)) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_4 := to_integer(slice2shift_search_0_0(20 downto 20)) = 1;
+      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
+        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
+      slice2cost_pixels_first_0_0_count_6_value_5 := to_integer(slice2shift_reference_0(19 downto 19)) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_6 := to_integer(slice2shift_search_0_0(19 downto 19)) = 1;
+      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
+        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_7_value := to_integer(slice2shift_reference_0(21 downto 21)) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_2 := to_integer(slice2shift_search_0_0(21 downto 21)) = 1;
+      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
+        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
+      slice2cost_pixels_first_0_0_count_7_value_3 := to_integer(slice2shift_reference_0(23 downto 23)) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_4 := to_integer(slice2shift_search_0_0(23 downto 23)) = 1;
+      slice2cost_pixels_first_0_0_count_7_choice_2 := not slice2cost_pixels_first_0_0_count_7_value_4 when
+        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
+      slice2cost_pixels_first_0_0_count_7_value_5 := to_integer(slice2shift_reference_0(22 downto 22)) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_6 := to_integer(slice2shift_search_0_0(22 downto 22)) = 1;
+      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_6 when
+        slice2cost_pixels_first_0_0_count_7_value_5 else slice2cost_pixels_first_0_0_count_7_value_6;
+      slice2cost_pixels_first_0_0_count_8_value := to_integer(slice2shift_reference_0(24 downto 24)) = 1;
+      slice2cost_pixels_first_0_0_count_8_value_2 := to_integer(slice2shift_search_0_0(24 downto 24)) = 1;
+      slice2cost_pixels_first_0_0_count_8_choice := not slice2cost_pixels_first_0_0_count_8_value_2 when
+        slice2cost_pixels_first_0_0_count_8_value else slice2cost_pixels_first_0_0_count_8_value_2;
+      slice2cost_pixels_first_0_0_count_8_value_3 := to_integer(slice2shift_reference_0(26 downto 26)) = 1;
+      slice2cost_pixels_first_0_0_count_8_value_4 := to_integer(slice2shift_search_0_0(26 downto 26)) = 1;
+      slice2cost_pixels_first_0_0_count_8_choice_2 := not slice2cost_pixels_first_0_0_count_8_value_4 when
+        slice2cost_pixels_first_0_0_count_8_value_3 else slice2cost_pixels_first_0_0_count_8_value_4;
+      slice2cost_pixels_first_0_0_count_8_value_5 := to_integer(slice2shift_reference_0(25 downto 25)) = 1;
+      slice2cost_pixels_first_0_0_count_8_value_6 := to_integer(slice2shift_search_0_0(25 downto 25)) = 1;
+      slice2cost_pixels_first_0_0_count_8_choice_3 := not slice2cost_pixels_first_0_0_count_8_value_6 when
+        slice2cost_pixels_first_0_0_count_8_value_5 else slice2cost_pixels_first_0_0_count_8_value_6;
+      slice2cost_pixels_first_0_0_count_9_value := to_integer(slice2shift_reference_0(27 downto 27)) = 1;
+      slice2cost_pixels_first_0_0_count_9_value_2 := to_integer(slice2shift_search_0_0(27 downto 27)) = 1;
+      slice2cost_pixels_first_0_0_count_9_choice := not slice2cost_pixels_first_0_0_count_9_value_2 when
+        slice2cost_pixels_first_0_0_count_9_value else slice2cost_pixels_first_0_0_count_9_value_2;
+      slice2cost_pixels_first_0_0_count_9_value_3 := to_integer(slice2shift_reference_0(29 downto 29)) = 1;
+      slice2cost_pixels_first_0_0_count_9_value_4 := to_integer(slice2shift_search_0_0(29 downto 29)) = 1;
+      slice2cost_pixels_first_0_0_count_9_choice_2 := not slice2cost_pixels_first_0_0_count_9_value_4 when
+        slice2cost_pixels_first_0_0_count_9_value_3 else slice2cost_pixels_first_0_0_count_9_value_4;
+      slice2cost_pixels_first_0_0_count_9_value_5 := to_integer(slice2shift_reference_0(28 downto 28)) = 1;
+      slice2cost_pixels_first_0_0_count_9_value_6 := to_integer(slice2shift_search_0_0(28 downto 28)) = 1;
+      slice2cost_pixels_first_0_0_count_9_choice_3 := not slice2cost_pixels_first_0_0_count_9_value_6 when
+        slice2cost_pixels_first_0_0_count_9_value_5 else slice2cost_pixels_first_0_0_count_9_value_6;
+      slice2cost_pixels_first_0_0_count_10_value := to_integer(slice2shift_reference_0(30 downto 30)) = 1;
+      slice2cost_pixels_first_0_0_count_10_value_2 := to_integer(slice2shift_search_0_0(30 downto 30)) = 1;
+      slice2cost_pixels_first_0_0_count_10_choice := not slice2cost_pixels_first_0_0_count_10_value_2 when
+        slice2cost_pixels_first_0_0_count_10_value else slice2cost_pixels_first_0_0_count_10_value_2;
+      slice2cost_pixels_first_0_0_count_10_value_3 := to_integer(slice2shift_reference_0(32 downto 32)) = 1;
+      slice2cost_pixels_first_0_0_count_10_value_4 := to_integer(slice2shift_search_0_0(32 downto 32)) = 1;
+      slice2cost_pixels_first_0_0_count_10_choice_2 := not slice2cost_pixels_first_0_0_count_10_value_4 when
+        slice2cost_pixels_first_0_0_count_10_value_3 else slice2cost_pixels_first_0_0_count_10_value_4;
+      slice2cost_pixels_first_0_0_count_10_value_5 := to_integer(slice2shift_reference_0(31 downto 31)) = 1;
+      slice2cost_pixels_first_0_0_count_10_value_6 := to_integer(slice2shift_search_0_0(31 downto 31)) = 1;
+      slice2cost_pixels_first_0_0_count_10_choice_3 := not slice2cost_pixels_first_0_0_count_10_value_6 when
+        slice2cost_pixels_first_0_0_count_10_value_5 else slice2cost_pixels_first_0_0_count_10_value_6;
+      slice2cost_pixels_first_0_0_count_11_value := to_integer(slice2shift_reference_0(33 downto 33)) = 1;
+      slice2cost_pixels_first_0_0_count_11_value_2 := to_integer(slice2shift_search_0_0(33 downto 33)) = 1;
+      slice2cost_pixels_first_0_0_count_11_choice := not slice2cost_pixels_first_0_0_count_11_value_2 when
+        slice2cost_pixels_first_0_0_count_11_value else slice2cost_pixels_first_0_0_count_11_value_2;
+      slice2cost_pixels_first_0_0_count_11_value_3 := to_integer(slice2shift_reference_0(35 downto 35)) = 1;
+      slice2cost_pixels_first_0_0_count_11_value_4 := to_integer(slice2shift_search_0_0(35 downto 35)) = 1;
+      slice2cost_pixels_first_0_0_count_11_choice_2 := not slice2cost_pixels_first_0_0_count_11_value_4 when
+        slice2cost_pixels_first_0_0_count_11_value_3 else slice2cost_pixels_first_0_0_count_11_value_4;
+      slice2cost_pixels_first_0_0_count_11_value_5 := to_integer(slice2shift_reference_0(34 downto 34)) = 1;
+      slice2cost_pixels_first_0_0_count_11_value_6 := to_integer(slice2shift_search_0_0(34 downto 34)) = 1;
+      slice2cost_pixels_first_0_0_count_11_choice_3 := not slice2cost_pixels_first_0_0_count_11_value_6 when
+        slice2cost_pixels_first_0_0_count_11_value_5 else slice2cost_pixels_first_0_0_count_11_value_6;
+      slice2cost_pixels_first_0_0_count_12_value := to_integer(slice2shift_reference_0(36 downto 36)) = 1;
+      slice2cost_pixels_first_0_0_count_12_value_2 := to_integer(slice2shift_search_0_0(36 downto 36)) = 1;
+      slice2cost_pixels_first_0_0_count_12_choice := not slice2cost_pixels_first_0_0_count_12_value_2 when
+        slice2cost_pixels_first_0_0_count_12_value else slice2cost_pixels_first_0_0_count_12_value_2;
+      slice2cost_pixels_first_0_0_count_12_value_3 := to_integer(slice2shift_reference_0(38 downto 38)) = 1;
+      slice2cost_pixels_first_0_0_count_12_value_4 := to_integer(slice2shift_search_0_0(38 downto 38)) = 1;
+      slice2cost_pixels_first_0_0_count_12_choice_2 := not slice2cost_pixels_first_0_0_count_12_value_4 when
+        slice2cost_pixels_first_0_0_count_12_value_3 else slice2cost_pixels_first_0_0_count_12_value_4;
+      slice2cost_pixels_first_0_0_count_12_value_5 := to_integer(slice2shift_reference_0(37 downto 37)) = 1;
+      slice2cost_pixels_first_0_0_count_12_value_6 := to_integer(slice2shift_search_0_0(37 downto 37)) = 1;
+      slice2cost_pixels_first_0_0_count_12_choice_3 := not slice2cost_pixels_first_0_0_count_12_value_6 when
+        slice2cost_pixels_first_0_0_count_12_value_5 else slice2cost_pixels_first_0_0_count_12_value_6;
+      slice2cost_pixels_first_0_0_count_13_value := to_integer(slice2shift_reference_0(39 downto 39)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_2 := to_integer(slice2shift_search_0_0(39 downto 39)) = 1;
+      slice2cost_pixels_first_0_0_count_13_choice := not slice2cost_pixels_first_0_0_count_13_value_2 when
+        slice2cost_pixels_first_0_0_count_13_value else slice2cost_pixels_first_0_0_count_13_value_2;
+      slice2cost_pixels_first_0_0_count_13_value_3 := to_integer(slice2shift_reference_0(41 downto 41)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_4 := to_integer(slice2shift_search_0_0(41 downto 41)) = 1;
+      slice2cost_pixels_first_0_0_count_13_choice_2 := not slice2cost_pixels_first_0_0_count_13_value_4 when
+        slice2cost_pixels_first_0_0_count_13_value_3 else slice2cost_pixels_first_0_0_count_13_value_4;
+      slice2cost_pixels_first_0_0_count_13_value_5 := to_integer(slice2shift_reference_0(40 downto 40)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_6 := to_integer(slice2shift_search_0_0(40 downto 40)) = 1;
+      slice2cost_pixels_first_0_0_count_13_choice_3 := not slice2cost_pixels_first_0_0_count_13_value_6 when
+        slice2cost_pixels_first_0_0_count_13_value_5 else slice2cost_pixels_first_0_0_count_13_value_6;
+      slice2cost_pixels_first_0_0_count_14_choice := not (to_integer(slice2shift_search_0_0(43 downto 43)) = 1) when
+        to_integer(slice2shift_reference_0(43 downto 43)) = 1 else to_integer(slice2shift_search_0_0(43 downto 43)) = 1;
+      slice2cost_pixels_first_0_0_count_14_value := to_integer(slice2shift_reference_0(42 downto 42)) = 1;
+      slice2cost_pixels_first_0_0_count_14_value_2 := to_integer(slice2shift_search_0_0(42 downto 42)) = 1;
+      slice2cost_pixels_first_0_0_count_14_choice_2 := not slice2cost_pixels_first_0_0_count_14_value_2 when
+        slice2cost_pixels_first_0_0_count_14_value else slice2cost_pixels_first_0_0_count_14_value_2;
+      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
+        to_integer(slice2shift_search_0_1(2 downto 2)) = 1 else slice2cost_pixels_first_0_0_count_0_value;
+      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
+        to_integer(slice2shift_search_0_1(1 downto 1)) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
+      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
+        to_integer(slice2shift_search_0_1(3 downto 3)) = 1 else slice2cost_pixels_first_0_0_count_1_value;
+      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
+        to_integer(slice2shift_search_0_1(5 downto 5)) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
+      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
+        to_integer(slice2shift_search_0_1(4 downto 4)) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
+      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
+        to_integer(slice2shift_search_0_1(8 downto 8)) = 1 else slice2cost_pixels_first_0_0_count_2_value;
+      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
+        to_integer(slice2shift_search_0_1(6 downto 6)) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
+      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
+        to_integer(slice2shift_search_0_1(9 downto 9)) = 1 else slice2cost_pixels_first_0_0_count_3_value;
+      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
+        to_integer(slice2shift_search_0_1(11 downto 11)) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
+      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
+        to_integer(slice2shift_search_0_1(10 downto 10)) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
+      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
+        to_integer(slice2shift_search_0_1(12 downto 12)) = 1 else slice2cost_pixels_first_0_0_count_4_value;
+      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
+        to_integer(slice2shift_search_0_1(14 downto 14)) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
+      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
+        to_integer(slice2shift_search_0_1(13 downto 13)) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
+      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
+        to_integer(slice2shift_search_0_1(15 downto 15)) = 1 else slice2cost_pixels_first_0_0_count_5_value;
+      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
+        to_integer(slice2shift_search_0_1(17 downto 17)) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
+      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
+        to_integer(slice2shift_search_0_1(16 downto 16)) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
+      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
+        to_integer(slice2shift_search_0_1(18 downto 18)) = 1 else slice2cost_pixels_first_0_0_count_6_value;
+      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
+        to_integer(slice2shift_search_0_1(20 downto 20)) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
+      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
+        to_integer(slice2shift_search_0_1(19 downto 19)) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
+      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
+        to_integer(slice2shift_search_0_1(21 downto 21)) = 1 else slice2cost_pixels_first_0_0_count_7_value;
+      slice2cost_pixels_first_0_1_count_7_choice_2 := not slice2cost_pixels_first_0_0_count_7_value_3 when
+        to_integer(slice2shift_search_0_1(23 downto 23)) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
+      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_5 when
+        to_integer(slice2shift_search_0_1(22 downto 22)) = 1 else slice2cost_pixels_first_0_0_count_7_value_5;
+      slice2cost_pixels_first_0_1_count_8_choice := not slice2cost_pixels_first_0_0_count_8_value when
+        to_integer(slice2shift_search_0_1(24 downto 24)) = 1 else slice2cost_pixels_first_0_0_count_8_value;
+      slice2cost_pixels_first_0_1_count_8_choice_2 := not slice2cost_pixels_first_0_0_count_8_value_3 when
+        to_integer(slice2shift_search_0_1(26 downto 26)) = 1 else slice2cost_pixels_first_0_0_count_8_value_3;
+      slice2cost_pixels_first_0_1_count_8_choice_3 := not slice2cost_pixels_first_0_0_count_8_value_5 when
+        to_integer(slice2shift_search_0_1(25 downto 25)) = 1 else slice2cost_pixels_first_0_0_count_8_value_5;
+      slice2cost_pixels_first_0_1_count_9_choice := not slice2cost_pixels_first_0_0_count_9_value when
+        to_integer(slice2shift_search_0_1(27 downto 27)) = 1 else slice2cost_pixels_first_0_0_count_9_value;
+      slice2cost_pixels_first_0_1_count_9_choice_2 := not slice2cost_pixels_first_0_0_count_9_value_3 when
+        to_integer(slice2shift_search_0_1(29 downto 29)) = 1 else slice2cost_pixels_first_0_0_count_9_value_3;
+      slice2cost_pixels_first_0_1_count_9_choice_3 := not slice2cost_pixels_first_0_0_count_9_value_5 when
+        to_integer(slice2shift_search_0_1(28 downto 28)) = 1 else slice2cost_pixels_first_0_0_count_9_value_5;
+      slice2cost_pixels_first_0_1_count_10_choice := not slice2cost_pixels_first_0_0_count_10_value when
+        to_integer(slice2shift_search_0_1(30 downto 30)) = 1 else slice2cost_pixels_first_0_0_count_10_value;
+      slice2cost_pixels_first_0_1_count_10_choice_2 := not slice2cost_pixels_first_0_0_count_10_value_3 when
+        to_integer(slice2shift_search_0_1(32 downto 32)) = 1 else slice2cost_pixels_first_0_0_count_10_value_3;
+      slice2cost_pixels_first_0_1_count_10_choice_3 := not slice2cost_pixels_first_0_0_count_10_value_5 when
+        to_integer(slice2shift_search_0_1(31 downto 31)) = 1 else slice2cost_pixels_first_0_0_count_10_value_5;
+      slice2cost_pixels_first_0_1_count_11_choice := not slice2cost_pixels_first_0_0_count_11_value when
+        to_integer(slice2shift_search_0_1(33 downto 33)) = 1 else slice2cost_pixels_first_0_0_count_11_value;
+      slice2cost_pixels_first_0_1_count_11_choice_2 := not slice2cost_pixels_first_0_0_count_11_value_3 when
+        to_integer(slice2shift_search_0_1(35 downto 35)) = 1 else slice2cost_pixels_first_0_0_count_11_value_3;
+      slice2cost_pixels_first_0_1_count_11_choice_3 := not slice2cost_pixels_first_0_0_count_11_value_5 when
+        to_integer(slice2shift_search_0_1(34 downto 34)) = 1 else slice2cost_pixels_first_0_0_count_11_value_5;
+      slice2cost_pixels_first_0_1_count_12_choice := not slice2cost_pixels_first_0_0_count_12_value when
+        to_integer(slice2shift_search_0_1(36 downto 36)) = 1 else slice2cost_pixels_first_0_0_count_12_value;
+      slice2cost_pixels_first_0_1_count_12_choice_2 := not slice2cost_pixels_first_0_0_count_12_value_3 when
+        to_integer(slice2shift_search_0_1(38 downto 38)) = 1 else slice2cost_pixels_first_0_0_count_12_value_3;
+      slice2cost_pixels_first_0_1_count_12_choice_3 := not slice2cost_pixels_first_0_0_count_12_value_5 when
+        to_integer(slice2shift_search_0_1(37 downto 37)) = 1 else slice2cost_pixels_first_0_0_count_12_value_5;
+      slice2cost_pixels_first_0_1_count_13_choice := not slice2cost_pixels_first_0_0_count_13_value when
+        to_integer(slice2shift_search_0_1(39 downto 39)) = 1 else slice2cost_pixels_first_0_0_count_13_value;
+      slice2cost_pixels_first_0_1_count_13_choice_2 := not slice2cost_pixels_first_0_0_count_13_value_3 when
+        to_integer(slice2shift_search_0_1(41 downto 41)) = 1 else slice2cost_pixels_first_0_0_count_13_value_3;
+      slice2cost_pixels_first_0_1_count_13_choice_3 := not slice2cost_pixels_first_0_0_count_13_value_5 when
+        to_integer(slice2shift_search_0_1(40 downto 40)) = 1 else slice2cost_pixels_first_0_0_count_13_value_5;
+      slice2cost_pixels_first_0_1_count_14_choice := not (to_integer(slice2shift_reference_0(43 downto 43)) = 1) when
+        to_integer(slice2shift_search_0_1(43 downto 43)) = 1 else to_integer(slice2shift_reference_0(43 downto 43)) = 1;
+      slice2cost_pixels_first_0_1_count_14_choice_2 := not slice2cost_pixels_first_0_0_count_14_value when
+        to_integer(slice2shift_search_0_1(42 downto 42)) = 1 else slice2cost_pixels_first_0_0_count_14_value;
+      slice2cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice2shift_search_0_0(0 downto 0)) = 1) /=
+        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice)
+        + as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
+      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+      slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice2shift_search_0_0(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice2shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
+      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
+      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
+      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
+      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
+      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
+      slice2cost_pixels_first_0_0_count_8 <= as_number(slice2cost_pixels_first_0_0_count_8_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_8_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_8_choice_3);
+      slice2cost_pixels_first_0_0_count_9 <= as_number(slice2cost_pixels_first_0_0_count_9_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_9_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_9_choice_3);
+      slice2cost_pixels_first_0_0_count_10 <= as_number(slice2cost_pixels_first_0_0_count_10_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_10_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_10_choice_3);
+      slice2cost_pixels_first_0_0_count_11 <= as_number(slice2cost_pixels_first_0_0_count_11_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_11_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_11_choice_3);
+      slice2cost_pixels_first_0_0_count_12 <= as_number(slice2cost_pixels_first_0_0_count_12_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_12_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_12_choice_3);
+      slice2cost_pixels_first_0_0_count_13 <= as_number(slice2cost_pixels_first_0_0_count_13_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_13_choice_2) +
+        as_number(slice2cost_pixels_first_0_0_count_13_choice_3);
+      slice2cost_pixels_first_0_0_count_14 <= as_number(slice2cost_pixels_first_0_0_count_14_choice) +
+        as_number(slice2cost_pixels_first_0_0_count_14_choice_2);
+      slice2cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice2shift_search_0_1(0 downto 0)) = 1) /=
+        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice)
+        + as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
+      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+      slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice2shift_search_0_1(7 downto 0)),
+        8)) xor (to_unsigned(to_integer(slice2shift_reference_0(7 downto 0)), 8)))) / 128) +
+        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
+      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
+      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
+      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
+      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
+      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
+      slice2cost_pixels_first_0_1_count_8 <= as_number(slice2cost_pixels_first_0_1_count_8_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_8_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_8_choice_3);
+      slice2cost_pixels_first_0_1_count_9 <= as_number(slice2cost_pixels_first_0_1_count_9_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_9_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_9_choice_3);
+      slice2cost_pixels_first_0_1_count_10 <= as_number(slice2cost_pixels_first_0_1_count_10_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_10_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_10_choice_3);
+      slice2cost_pixels_first_0_1_count_11 <= as_number(slice2cost_pixels_first_0_1_count_11_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_11_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_11_choice_3);
+      slice2cost_pixels_first_0_1_count_12 <= as_number(slice2cost_pixels_first_0_1_count_12_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_12_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_12_choice_3);
+      slice2cost_pixels_first_0_1_count_13 <= as_number(slice2cost_pixels_first_0_1_count_13_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_13_choice_2) +
+        as_number(slice2cost_pixels_first_0_1_count_13_choice_3);
+      slice2cost_pixels_first_0_1_count_14 <= as_number(slice2cost_pixels_first_0_1_count_14_choice) +
+        as_number(slice2cost_pixels_first_0_1_count_14_choice_2);
+      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_7 +
+        slice2cost_pixels_first_0_0_count_12 + slice2cost_pixels_first_0_0_count_6 +
+        slice2cost_pixels_first_0_0_count_9 + slice2cost_pixels_first_0_0_count_14 +
+        slice2cost_pixels_first_0_0_count_11 + slice2cost_pixels_first_0_0_count_2 +
+        slice2cost_pixels_first_0_0_count_10 + slice2cost_pixels_first_0_0_count_4 +
+        slice2cost_pixels_first_0_0_count_8 + slice2cost_pixels_first_0_0_count_1 + slice2cost_pixels_first_0_0_count_5
+        + slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_13;
+      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1_count_3 + slice2cost_pixels_first_0_1_count_7 +
+        slice2cost_pixels_first_0_1_count_12 + slice2cost_pixels_first_0_1_count_6 +
+        slice2cost_pixels_first_0_1_count_9 + slice2cost_pixels_first_0_1_count_14 +
+        slice2cost_pixels_first_0_1_count_11 + slice2cost_pixels_first_0_1_count_2 +
+        slice2cost_pixels_first_0_1_count_10 + slice2cost_pixels_first_0_1_count_4 +
+        slice2cost_pixels_first_0_1_count_8 + slice2cost_pixels_first_0_1_count_1 + slice2cost_pixels_first_0_1_count_5
+        + slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_13;
+      -- slice2
+      slice2_held_0_0 <= other_5 / 4;
+      slice2_held_0_1 <= other_4 / 4;
+      -- entry
+      entry_order_address_all := (not entry_next_tag_map_column) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_address_choice := 0 when entry_order_falls else 7;
+      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
+      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
+      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
+        entry_order_held_output and slice0_tag_2_map_column;
+      entry_next_cost_0 <= slice0_held_2_0;
+      entry_next_cost_1 <= slice0_held_2_1;
+      entry_next_cost_2 <= slice0_held_2_2;
+      entry_next_cost_3 <= slice0_held_2_3;
+      entry_next_cost_4 <= slice0_held_2_4;
+      entry_next_cost_5 <= slice1_held_1_0;
+      entry_next_cost_6 <= slice1_held_1_1;
+      entry_next_cost_7 <= slice1_held_1_2;
+      entry_next_cost_8 <= slice1_held_1_3;
+      entry_next_cost_9 <= slice1_held_1_4;
+      entry_next_cost_10 <= slice2_held_0_0;
+      entry_next_cost_11 <= slice2_held_0_1;
+      entry_next_tag_valid <= slice0_tag_2_valid;
+      entry_next_tag_first_cost <= slice0_tag_2_first_cost;
+      entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
+      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
+        (entry_order_address_choice_3 + entry_order_address) mod 32;
+      entry_order_inside <= slice0_tag_2_map_column;
+      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
+        entry_order_complete and ((not slice0_tag_2_map_column) or (not slice0_tag_2_valid));
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
+        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
+        slice0_tag_2_map_column;
+      entry_order_turned_start_of_frame <= (not entry_next_tag_map_column) and slice0_tag_2_map_column and
+        slice0_tag_2_valid and entry_next_top and entry_order_complete and entry_order_output;
+      entry_cost_0 <= entry_next_cost_0;
+      entry_cost_1 <= entry_next_cost_1;
+      entry_cost_2 <= entry_next_cost_2;
+      entry_cost_3 <= entry_next_cost_3;
+      entry_cost_4 <= entry_next_cost_4;
+      entry_cost_5 <= entry_next_cost_5;
+      entry_cost_6 <= entry_next_cost_6;
+      entry_cost_7 <= entry_next_cost_7;
+      entry_cost_8 <= entry_next_cost_8;
+      entry_cost_9 <= entry_next_cost_9;
+      entry_cost_10 <= entry_next_cost_10;
+      entry_cost_11 <= entry_next_cost_11;
+      entry_tag_valid <= entry_next_tag_valid;
+      entry_tag_first_cost <= entry_next_tag_first_cost;
+      entry_tag_map_column <= entry_order_inside;
+      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_place <= entry_order_address;
+      entry_turned_output_column <= entry_order_turned_output_column;
+      entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if slice0_tag_2_valid then
+        entry_next_tag_map_column <= slice0_tag_2_map_column;
+      end if;
+      if entry_order_address_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_held_output <= entry_order_turned_output_column_all;
+      end if;
+      entry_order_falls_choice := not entry_order_falls when slice0_tag_2_valid else entry_order_falls;
+      if not entry_next_tag_map_column then
+        entry_order_falls <= entry_order_falls_choice when slice0_tag_2_map_column else entry_order_falls;
+      end if;
+      -- forward
+      forward_pair_cost_0_sum := entry_cost_0 + forward_next_cost_0;
+      forward_pair_cost_1_sum := entry_cost_1 + forward_next_cost_1;
+      forward_pair_cost_2_sum := entry_cost_2 + forward_next_cost_2;
+      forward_pair_cost_3_sum := entry_cost_3 + forward_next_cost_3;
+      forward_pair_cost_4_sum := entry_cost_4 + forward_next_cost_4;
+      forward_pair_cost_5_sum := entry_cost_5 + forward_next_cost_5;
+      forward_pair_cost_6_sum := entry_cost_6 + forward_next_cost_6;
+      forward_pair_cost_7_sum := entry_cost_7 + forward_next_cost_7;
+      forward_pair_cost_8_sum := entry_cost_8 + forward_next_cost_8;
+      forward_pair_cost_9_sum := entry_cost_9 + forward_next_cost_9;
+      forward_pair_cost_10_sum := entry_cost_10 + forward_next_cost_10;
+      forward_pair_cost_11_sum := entry_cost_11 + forward_next_cost_11;
+      forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
+      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
+      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1)) and
+        forward_path_1_value;
+      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value_2 else forward_stayed_1;
+      forward_path_1_choice_2 := forward_occluding_0 when forward_path_1_value else forward_path_1_choice;
+      forward_path_1_choice_3 := forward_path_1_choice when forward_path_1_all else forward_path_1_choice_2;
+      forward_path_1_choice_4 := 0 when forward_next_first else forward_path_1_choice_3;
+      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1)) and
+        forward_path_2_value;
+      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value_2 else forward_stayed_2;
+      forward_path_2_choice_2 := forward_occluding_1 when forward_path_2_value else forward_path_2_choice;
+      forward_path_2_choice_3 := forward_path_2_choice when forward_path_2_all else forward_path_2_choice_2;
+      forward_path_2_choice_4 := 0 when forward_next_first else forward_path_2_choice_3;
+      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1)) and
+        forward_path_3_value;
+      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value_2 else forward_stayed_3;
+      forward_path_3_choice_2 := forward_occluding_2 when forward_path_3_value else forward_path_3_choice;
+      forward_path_3_choice_3 := forward_path_3_choice when forward_path_3_all else forward_path_3_choice_2;
+      forward_path_3_choice_4 := 0 when forward_next_first else forward_path_3_choice_3;
+      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1)) and
+        forward_path_4_value;
+      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value_2 else forward_stayed_4;
+      forward_path_4_choice_2 := forward_occluding_3 when forward_path_4_value else forward_path_4_choice;
+      forward_path_4_choice_3 := forward_path_4_choice when forward_path_4_all else forward_path_4_choice_2;
+      forward_path_4_choice_4 := 0 when forward_next_first else forward_path_4_choice_3;
+      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1)) and
+        forward_path_5_value;
+      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value_2 else forward_stayed_5;
+      forward_path_5_choice_2 := forward_occluding_4 when forward_path_5_value else forward_path_5_choice;
+      forward_path_5_choice_3 := forward_path_5_choice when forward_path_5_all else forward_path_5_choice_2;
+      forward_path_5_choice_4 := 0 when forward_next_first else forward_path_5_choice_3;
+      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1)) and
+        forward_path_6_value;
+      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value_2 else forward_stayed_6;
+      forward_path_6_choice_2 := forward_occluding_5 when forward_path_6_value else forward_path_6_choice;
+      forward_path_6_choice_3 := forward_path_6_choice when forward_path_6_all else forward_path_6_choice_2;
+      forward_path_6_choice_4 := 0 when forward_next_first else forward_path_6_choice_3;
+      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1)) and
+        forward_path_7_value;
+      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value_2 else forward_stayed_7;
+      forward_path_7_choice_2 := forward_occluding_6 when forward_path_7_value else forward_path_7_choice;
+      forward_path_7_choice_3 := forward_path_7_choice when forward_path_7_all else forward_path_7_choice_2;
+      forward_path_7_choice_4 := 0 when forward_next_first else forward_path_7_choice_3;
+      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1)) and
+        forward_path_8_value;
+      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value_2 else forward_stayed_8;
+      forward_path_8_choice_2 := forward_occluding_7 when forward_path_8_value else forward_path_8_choice;
+      forward_path_8_choice_3 := forward_path_8_choice when forward_path_8_all else forward_path_8_choice_2;
+      forward_path_8_choice_4 := 0 when forward_next_first else forward_path_8_choice_3;
+      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1)) and
+        forward_path_9_value;
+      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value_2 else forward_stayed_9;
+      forward_path_9_choice_2 := forward_occluding_8 when forward_path_9_value else forward_path_9_choice;
+      forward_path_9_choice_3 := forward_path_9_choice when forward_path_9_all else forward_path_9_choice_2;
+      forward_path_9_choice_4 := 0 when forward_next_first else forward_path_9_choice_3;
+      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1)) and
+        forward_path_10_value;
+      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value_2 else forward_stayed_10;
+      forward_path_10_choice_2 := forward_occluding_9 when forward_path_10_value else forward_path_10_choice;
+      forward_path_10_choice_3 := forward_path_10_choice when forward_path_10_all else forward_path_10_choice_2;
+      forward_path_10_choice_4 := 0 when forward_next_first else forward_path_10_choice_3;
+      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1)) and
+        forward_path_11_value;
+      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value_2 else forward_stayed_11;
+      forward_path_11_choice_2 := forward_occluding_10 when forward_path_11_value else forward_path_11_choice;
+      forward_path_11_choice_3 := forward_path_11_choice when forward_path_11_all else forward_path_11_choice_2;
+      forward_path_11_choice_4 := 0 when forward_next_first else forward_path_11_choice_3;
+      forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
+      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
+      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 512) / 256) = 1;
+      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 512) / 256) = 1;
+      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 512) / 256) = 1;
+      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 512) / 256) = 1;
+      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
+      forward_decision_0_choice := 2 when forward_far_0 else 1;
+      forward_decision_1_choice := 2 when forward_far_1 else 1;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value_2 else 0;
+      forward_decision_1_choice_3 := 3 when forward_path_1_value else forward_decision_1_choice_2;
+      forward_decision_2_choice := 2 when forward_far_2 else 1;
+      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value_2 else 0;
+      forward_decision_2_choice_3 := 3 when forward_path_2_value else forward_decision_2_choice_2;
+      forward_decision_3_choice := 2 when forward_far_3 else 1;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value_2 else 0;
+      forward_decision_3_choice_3 := 3 when forward_path_3_value else forward_decision_3_choice_2;
+      forward_decision_4_choice := 2 when forward_far_4 else 1;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value_2 else 0;
+      forward_decision_4_choice_3 := 3 when forward_path_4_value else forward_decision_4_choice_2;
+      forward_decision_5_choice := 2 when forward_far_5 else 1;
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value_2 else 0;
+      forward_decision_5_choice_3 := 3 when forward_path_5_value else forward_decision_5_choice_2;
+      forward_decision_6_choice := 3 when forward_path_6_value else as_number(forward_path_6_value_2);
+      forward_decision_7_choice := 3 when forward_path_7_value else as_number(forward_path_7_value_2);
+      forward_decision_8_choice := 3 when forward_path_8_value else as_number(forward_path_8_value_2);
+      forward_decision_9_choice := 3 when forward_path_9_value else as_number(forward_path_9_value_2);
+      forward_decision_10_choice := 3 when forward_path_10_value else as_number(forward_path_10_value_2);
+      forward_decision_11_choice := 3 when forward_path_11_value else as_number(forward_path_11_value_2);
+      if entry_tag_valid then
+        forward_next_cost_0 <= entry_cost_0;
+        forward_next_cost_1 <= entry_cost_1;
+        forward_next_cost_2 <= entry_cost_2;
+        forward_next_cost_3 <= entry_cost_3;
+        forward_next_cost_4 <= entry_cost_4;
+        forward_next_cost_5 <= entry_cost_5;
+        forward_next_cost_6 <= entry_cost_6;
+        forward_next_cost_7 <= entry_cost_7;
+        forward_next_cost_8 <= entry_cost_8;
+        forward_next_cost_9 <= entry_cost_9;
+        forward_next_cost_10 <= entry_cost_10;
+        forward_next_cost_11 <= entry_cost_11;
+        forward_next_first <= entry_tag_first_cost;
+        forward_pair_cost_0 <= (((forward_pair_cost_0_sum / 4) + 1) * 4) + (forward_pair_cost_0_sum mod 4);
+        forward_pair_cost_1 <= (((forward_pair_cost_1_sum / 4) + 1) * 4) + (forward_pair_cost_1_sum mod 4);
+        forward_pair_cost_2 <= (((forward_pair_cost_2_sum / 4) + 1) * 4) + (forward_pair_cost_2_sum mod 4);
+        forward_pair_cost_3 <= (((forward_pair_cost_3_sum / 4) + 1) * 4) + (forward_pair_cost_3_sum mod 4);
+        forward_pair_cost_4 <= (((forward_pair_cost_4_sum / 4) + 1) * 4) + (forward_pair_cost_4_sum mod 4);
+        forward_pair_cost_5 <= (((forward_pair_cost_5_sum / 4) + 1) * 4) + (forward_pair_cost_5_sum mod 4);
+        forward_pair_cost_6 <= (((forward_pair_cost_6_sum / 4) + 1) * 4) + (forward_pair_cost_6_sum mod 4);
+        forward_pair_cost_7 <= (((forward_pair_cost_7_sum / 4) + 1) * 4) + (forward_pair_cost_7_sum mod 4);
+        forward_pair_cost_8 <= (((forward_pair_cost_8_sum / 4) + 1) * 4) + (forward_pair_cost_8_sum mod 4);
+        forward_pair_cost_9 <= (((forward_pair_cost_9_sum / 4) + 1) * 4) + (forward_pair_cost_9_sum mod 4);
+        forward_pair_cost_10 <= (((forward_pair_cost_10_sum / 4) + 1) * 4) + (forward_pair_cost_10_sum mod 4);
+        forward_pair_cost_11 <= (((forward_pair_cost_11_sum / 4) + 1) * 4) + (forward_pair_cost_11_sum mod 4);
+        forward_path_0 <= forward_path_0_choice_2;
+        forward_path_1 <= forward_path_1_choice_4;
+        forward_path_2 <= forward_path_2_choice_4;
+        forward_path_3 <= forward_path_3_choice_4;
+        forward_path_4 <= forward_path_4_choice_4;
+        forward_path_5 <= forward_path_5_choice_4;
+        forward_path_6 <= forward_path_6_choice_4;
+        forward_path_7 <= forward_path_7_choice_4;
+        forward_path_8 <= forward_path_8_choice_4;
+        forward_path_9 <= forward_path_9_choice_4;
+        forward_path_10 <= forward_path_10_choice_4;
+        forward_path_11 <= forward_path_11_choice_4;
+        forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 512;
+        forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_4 + 7) mod 512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_4 + 7) mod 512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_4 + 7) mod 512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_4 + 7) mod 512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_4 + 7) mod 512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_4 + 7) mod 512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_4 + 7) mod 512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_4 + 7) mod 512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_4 + 7) mod 512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_4 + 7) mod 512;
+        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 512;
+        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 512;
+        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 512;
+        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
+        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
+        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
+        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_all else forward_decision_1_choice_3;
+        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_all else forward_decision_2_choice_3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_all else forward_decision_3_choice_3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_all else forward_decision_4_choice_3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_all else forward_decision_5_choice_3;
+        forward_decision_6 <= as_number(forward_path_6_value_2) when forward_path_6_all else forward_decision_6_choice;
+        forward_decision_7 <= as_number(forward_path_7_value_2) when forward_path_7_all else forward_decision_7_choice;
+        forward_decision_8 <= as_number(forward_path_8_value_2) when forward_path_8_all else forward_decision_8_choice;
+        forward_decision_9 <= as_number(forward_path_9_value_2) when forward_path_9_all else forward_decision_9_choice;
+        forward_decision_10 <= as_number(forward_path_10_value_2) when forward_path_10_all else
+          forward_decision_10_choice;
+        forward_decision_11 <= as_number(forward_path_11_value_2) when forward_path_11_all else
+          forward_decision_11_choice;
+      end if;
+      forward_far_0_any := (not forward_next_first) or (not entry_tag_valid);
+      forward_far_0_choice := forward_far_0_any when forward_dropped_0_value else not entry_tag_valid;
+      forward_far_1_choice := forward_far_0_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_0_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_0_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_0_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_0_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_0 <= forward_far_0_choice when forward_far_0 else forward_dropped_0_value and (not
+        forward_next_first) and entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and (not
+        forward_next_first) and entry_tag_valid;
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and (not
+        forward_next_first) and entry_tag_valid;
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and (not
+        forward_next_first) and entry_tag_valid;
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and (not
+        forward_next_first) and entry_tag_valid;
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and (not
+        forward_next_first) and entry_tag_valid;
+      -- decisions
+      if entry_tag_valid then
+        decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
+        decisions_ready_decision_1 <= (to_integer(decisions_read_words_0(7 downto 0)) / 4) mod 4;
+        decisions_ready_decision_2 <= (to_integer(decisions_read_words_0(7 downto 0)) / 16) mod 4;
+        decisions_ready_decision_3 <= to_integer(decisions_read_words_0(7 downto 0)) / 64;
+        decisions_ready_decision_4 <= to_integer(decisions_read_words_0(9 downto 8));
+        decisions_ready_decision_5 <= to_integer(decisions_read_words_0(11 downto 10));
+        decisions_ready_decision_6 <= to_integer(decisions_read_words_0(13 downto 12));
+        decisions_ready_decision_7 <= to_integer(decisions_read_words_0(15 downto 14));
+        decisions_ready_decision_8 <= to_integer(decisions_read_words_0(17 downto 16));
+        decisions_ready_decision_9 <= to_integer(decisions_read_words_0(19 downto 18));
+        decisions_ready_decision_10 <= to_integer(decisions_read_words_0(21 downto 20));
+        decisions_ready_decision_11 <= to_integer(decisions_read_words_0(23 downto 22));
+        decisions_ready_inside <= entry_tag_map_column;
+        decisions_comes_0 <= entry_tag_map_column;
+        decisions_comes_1 <= decisions_ready_inside;
+        decisions_comes_2 <= decisions_comes_1;
+        decisions_place_0 <= entry_place;
+        decisions_place_1 <= decisions_place_0;
+        decisions_place_2 <= decisions_place_1;
+      end if;
+      decisions_write_words_0_all := decisions_comes_2 and entry_tag_valid;
+      if decisions_write_words_0_all then
+        decisions_write_words_0 <= (forward_decision_10 * 1048576) + (forward_decision_11 * 4194304) +
+          (forward_decision_9 * 262144) + (forward_decision_8 * 65536) + (forward_decision_7 * 16384) +
+          (forward_decision_6 * 4096) + (forward_decision_5 * 1024) + (forward_decision_4 * 256) + (forward_decision_3
+          * 64) + (forward_decision_2 * 16) + forward_decision_0 + (forward_decision_1 * 4);
+        decisions_write_place <= decisions_place_2;
+      end if;
+      -- last
+      if entry_tag_valid then
+        last_tags_held_0_end_of_line <= entry_tag_end_of_line;
+        last_tags_held_1_map_column <= decisions_comes_0;
+        last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
+        last_tags_held_2_map_column <= last_tags_held_1_map_column;
+        last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
+      end if;
+      last_path_0_2_difference := 256 - forward_path_0;
+      last_tags_moved <= entry_tag_valid;
+      last_path_0_0 <= 256;
+      last_path_0_1 <= ((((((forward_path_1 / 256) + 1) mod 2) * 256) + (forward_path_1 mod 256)) - forward_path_0) mod
+        512;
+      last_path_0_2 <= (last_path_0_2_difference + forward_path_2) mod 512;
+      last_path_0_3 <= (last_path_0_2_difference + forward_path_3) mod 512;
+      last_path_0_4 <= (last_path_0_2_difference + forward_path_4) mod 512;
+      last_path_0_5 <= (last_path_0_2_difference + forward_path_5) mod 512;
+      last_path_0_6 <= (last_path_0_2_difference + forward_path_6) mod 512;
+      last_path_0_7 <= (last_path_0_2_difference + forward_path_7) mod 512;
+      last_path_0_8 <= (last_path_0_2_difference + forward_path_8) mod 512;
+      last_path_0_9 <= (last_path_0_2_difference + forward_path_9) mod 512;
+      last_path_0_10 <= (last_path_0_2_difference + forward_path_10) mod 512;
+      last_path_0_11 <= (last_path_0_2_difference + forward_path_11) mod 512;
+      last_tag_valid <= last_tags_moved;
+      last_tag_map_column <= last_tags_held_2_map_column;
+      last_tag_end_of_line <= last_tags_held_2_end_of_line;
+      if not ((not lastwinner4_tag_end_of_line) or (not lastwinner4_tag_map_column) or (not lastwinner4_tag_valid)) then
+        last_state <= lastwinner4_best_index_0_0;
+      end if;
+      -- lastwinner1
+      lastwinner1_best_cost_0_0_is_less := last_path_0_1 < last_path_0_0;
+      lastwinner1_best_cost_0_1_is_less := last_path_0_3 < last_path_0_2;
+      lastwinner1_best_cost_0_2_is_less := last_path_0_5 < last_path_0_4;
+      lastwinner1_best_cost_0_3_is_less := last_path_0_7 < last_path_0_6;
+      lastwinner1_best_cost_0_4_is_less := last_path_0_9 < last_path_0_8;
+      lastwinner1_best_cost_0_5_is_less := last_path_0_11 < last_path_0_10;
+      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
+      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
+      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
+      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
+      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
+      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
+      lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
+      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
+      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
+      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
+      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
+      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
+      lastwinner1_tag_valid <= last_tag_valid;
+      lastwinner1_tag_map_column <= last_tag_map_column;
+      lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      -- lastwinner2
+      lastwinner2_best_cost_0_0_is_less := lastwinner1_best_cost_0_1 < lastwinner1_best_cost_0_0;
+      lastwinner2_best_cost_0_1_is_less := lastwinner1_best_cost_0_3 < lastwinner1_best_cost_0_2;
+      lastwinner2_best_cost_0_2_is_less := lastwinner1_best_cost_0_5 < lastwinner1_best_cost_0_4;
+      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
+        lastwinner1_best_cost_0_0;
+      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
+        lastwinner1_best_cost_0_2;
+      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
+        lastwinner1_best_cost_0_4;
+      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
+        as_number(lastwinner1_best_index_0_0);
+      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
+        lastwinner1_best_index_0_2;
+      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
+        lastwinner1_best_index_0_4;
+      lastwinner2_tag_valid <= lastwinner1_tag_valid;
+      lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
+      lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      -- lastwinner3
+      lastwinner3_best_cost_0_0_is_less := lastwinner2_best_cost_0_1 < lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
+        lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
+      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
+        lastwinner2_best_index_0_0;
+      lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
+      lastwinner3_tag_valid <= lastwinner2_tag_valid;
+      lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
+      lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      -- lastwinner4
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when lastwinner3_best_cost_0_1 <
+        lastwinner3_best_cost_0_0 else lastwinner3_best_index_0_0;
+      lastwinner4_tag_valid <= lastwinner3_tag_valid;
+      lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
+      lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      -- traceback
+      traceback_state_is_equal := traceback_falling = 1;
+      traceback_state_sum := traceback_state + 1;
+      traceback_state_is_equal_2 := traceback_falling = 2;
+      traceback_state_sum_2 := (traceback_state / 2) + 3;
+      traceback_state_is_equal_3 := traceback_falling = 0;
+      traceback_state_all := (traceback_decision = 3) and traceback_state_is_equal_3;
+      traceback_state_sum_3 := traceback_state + 255;
+      if traceback_state_all then
+        traceback_state_choice := traceback_state_sum_3 mod 256;
+      else
+        traceback_state_choice := traceback_state;
+      end if;
+      if traceback_state_is_equal_2 then
+        traceback_state_choice_2 := ((traceback_state_sum_2 mod 128) * 2) + (traceback_state mod 2);
+      else
+        traceback_state_choice_2 := traceback_state_choice;
+      end if;
+      if traceback_state_is_equal then
+        traceback_state_choice_3 := traceback_state_sum mod 256;
+      else
+        traceback_state_choice_3 := traceback_state_choice_2;
+      end if;
+      traceback_decision_value := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
+      traceback_decision_choice := decisions_ready_decision_11 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_10;
+      traceback_decision_choice_2 := decisions_ready_decision_9 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_8;
+      traceback_decision_choice_3 := traceback_decision_choice when traceback_decision_value else
+        traceback_decision_choice_2;
+      traceback_decision_choice_4 := decisions_ready_decision_7 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_6;
+      traceback_decision_choice_5 := decisions_ready_decision_5 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_4;
+      traceback_decision_choice_6 := traceback_decision_choice_4 when traceback_decision_value else
+        traceback_decision_choice_5;
+      traceback_decision_choice_7 := decisions_ready_decision_3 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_2;
+      traceback_decision_choice_8 := decisions_ready_decision_1 when (traceback_state_sum mod 2) = 1 else
+        decisions_ready_decision_0;
+      traceback_decision_choice_9 := traceback_decision_choice_7 when traceback_decision_value else
+        traceback_decision_choice_8;
+      traceback_decision_choice_10 := traceback_decision_choice_6 when (((traceback_state_sum mod 256) / 4) mod 2) = 1
+        else traceback_decision_choice_9;
+      traceback_decision_choice_11 := traceback_decision_choice_3 when (((traceback_state_sum mod 256) / 8) mod 2) = 1
+        else traceback_decision_choice_10;
+      traceback_decision_choice_12 := decisions_ready_decision_11 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_10;
+      traceback_decision_choice_13 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_8;
+      traceback_decision_choice_14 := traceback_decision_choice_12 when (traceback_state_sum_2 mod 2) = 1 else
+        traceback_decision_choice_13;
+      traceback_decision_choice_15 := decisions_ready_decision_7 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_6;
+      traceback_decision_choice_16 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_4;
+      traceback_decision_choice_17 := traceback_decision_choice_15 when (traceback_state_sum_2 mod 2) = 1 else
+        traceback_decision_choice_16;
+      traceback_decision_choice_18 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_2;
+      traceback_decision_choice_19 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
+        decisions_ready_decision_0;
+      traceback_decision_choice_20 := traceback_decision_choice_18 when (traceback_state_sum_2 mod 2) = 1 else
+        traceback_decision_choice_19;
+      traceback_decision_choice_21 := traceback_decision_choice_17 when (((traceback_state_sum_2 mod 128) / 2) mod 2) =
+        1 else traceback_decision_choice_20;
+      traceback_decision_choice_22 := traceback_decision_choice_14 when (((traceback_state_sum_2 mod 128) / 4) mod 2) =
+        1 else traceback_decision_choice_21;
+      traceback_decision_value_2 := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
+      traceback_decision_choice_23 := decisions_ready_decision_11 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_10;
+      traceback_decision_choice_24 := decisions_ready_decision_9 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_8;
+      traceback_decision_choice_25 := traceback_decision_choice_23 when traceback_decision_value_2 else
+        traceback_decision_choice_24;
+      traceback_decision_choice_26 := decisions_ready_decision_7 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_6;
+      traceback_decision_choice_27 := decisions_ready_decision_5 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_4;
+      traceback_decision_choice_28 := traceback_decision_choice_26 when traceback_decision_value_2 else
+        traceback_decision_choice_27;
+      traceback_decision_choice_29 := decisions_ready_decision_3 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_2;
+      traceback_decision_choice_30 := decisions_ready_decision_1 when (traceback_state_sum_3 mod 2) = 1 else
+        decisions_ready_decision_0;
+      traceback_decision_choice_31 := traceback_decision_choice_29 when traceback_decision_value_2 else
+        traceback_decision_choice_30;
+      traceback_decision_choice_32 := traceback_decision_choice_28 when (((traceback_state_sum_3 mod 256) / 4) mod 2) =
+        1 else traceback_decision_choice_31;
+      traceback_decision_choice_33 := traceback_decision_choice_25 when (((traceback_state_sum_3 mod 256) / 8) mod 2) =
+        1 else traceback_decision_choice_32;
+      traceback_decision_value_3 := ((traceback_state / 2) mod 2) = 1;
+      traceback_decision_choice_34 := traceback_decision_choice_12 when traceback_decision_value_3 else
+        traceback_decision_choice_13;
+      traceback_decision_choice_35 := traceback_decision_choice_15 when traceback_decision_value_3 else
+        traceback_decision_choice_16;
+      traceback_decision_choice_36 := traceback_decision_choice_18 when traceback_decision_value_3 else
+        traceback_decision_choice_19;
+      traceback_decision_choice_37 := traceback_decision_choice_35 when ((traceback_state / 4) mod 2) = 1 else
+        traceback_decision_choice_36;
+      traceback_decision_choice_38 := traceback_decision_choice_34 when ((traceback_state / 8) mod 2) = 1 else
+        traceback_decision_choice_37;
+      traceback_decision_choice_39 := traceback_decision_choice_33 when traceback_state_all else
+        traceback_decision_choice_38;
+      traceback_decision_choice_40 := traceback_decision_choice_22 when traceback_state_is_equal_2 else
+        traceback_decision_choice_39;
+      traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
+        traceback_decision_choice_40;
+      if entry_tag_valid then
+        traceback_state <= traceback_state_choice_3 when decisions_ready_inside else last_state;
+        traceback_decision <= traceback_decision_choice_41 when decisions_ready_inside else 0;
+        traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
+          decisions_ready_inside and traceback_state_is_equal_3 else 0;
+        traceback_tags_held_0_output_column <= entry_turned_output_column;
+        traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
+        traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
+        traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+      end if;
+      traceback_out_disparity_0 <= traceback_state;
+      traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
+        ((traceback_decision / 2) = 1)) or (not ((traceback_decision mod 2) = 1));
+      traceback_out_tag_map_column <= last_tags_held_1_map_column;
+      traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
+      traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
+      traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
+      -- turn
+      turn_order_address_all := (not turn_order_turned_map_column) and traceback_out_tag_map_column and last_tag_valid;
+      turn_order_address_all_2 := traceback_out_tag_map_column and last_tag_valid;
+      turn_order_address_any := (not traceback_out_tag_map_column) or (not last_tag_valid);
+      turn_order_address_choice := turn_order_address_any when turn_order_falls else turn_order_address_all_2;
+      turn_order_address_choice_2 := turn_order_falls when turn_order_turned_map_column else turn_order_address_choice;
+      turn_order_address_choice_3 := 7 when turn_order_address_choice_2 else 0;
+      if turn_order_address_all_2 then
+        turn_order_address_choice_4 := turn_order_address_choice_3 * 4;
+      else
+        turn_order_address_choice_4 := turn_order_address;
+      end if;
+      turn_order_address_choice_5 := 31 when turn_order_falls else 1;
+      turn_order_address_choice_6 := turn_order_address_choice_5 when turn_order_address_all_2 else 0;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_address_all
+        else turn_order_held_output;
+      turn_order_address <= turn_order_address_choice_4 when turn_order_address_all else (turn_order_address_choice_6 +
+        turn_order_address) mod 32;
+      turn_order_inside <= traceback_out_tag_map_column;
+      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when traceback_out_tag_end_of_line else
+        turn_order_complete and turn_order_address_any;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
+      turn_order_turned_first_column <= turn_order_address_all;
+      turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
+      turn_comes <= turn_order_address_all_2;
+      turn_read_tag_map_column <= turn_order_inside;
+      turn_read_tag_output_column <= turn_order_turned_output_column;
+      turn_read_tag_first_column <= turn_order_turned_first_column;
+      turn_ready <= to_integer(turn_read_words_0);
+      turn_ready_tag_map_column <= turn_read_tag_map_column;
+      turn_ready_tag_output_column <= turn_read_tag_output_column;
+      turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if not turn_order_turned_map_column then
+        turn_order_falls <= turn_order_address_choice;
+      end if;
+      if turn_order_address_all then
+        turn_order_output <= traceback_out_tag_output_column;
+        turn_order_first <= traceback_out_tag_start_of_frame;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
+      end if;
+      if last_tag_valid then
+        turn_order_turned_map_column <= traceback_out_tag_map_column;
+      end if;
+      if turn_comes then
+        turn_write_words_0 <= turn_newest;
+        turn_write_place <= turn_order_address;
+      end if;
+      -- fill
+      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      if turn_ready_tag_map_column and lastwinner3_tag_valid then
+        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+      end if;
+      fill_out_passed_0 <= (turn_ready / 256) = 1;
+      fill_out_tag_output_column <= turn_ready_tag_output_column;
+      -- other
+      other_6_choice := 0 when slice0window_tag_border_column else slice2cost_pixels_cost_0_1 / 4;
+      other_7_choice := 0 when slice0window_tag_border_column else slice2cost_pixels_cost_0_0 / 4;
+      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_4 / 4;
+      other_14_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_3 / 4;
+      other_15_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_2 / 4;
+      other_16_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_1 / 4;
+      other_17_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_0 / 4;
+      other_23_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_4 / 4;
+      other_24_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_3 / 4;
+      other_25_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_2 / 4;
+      other_26_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_1 / 4;
+      other_27_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_0 / 4;
+      other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_turned_map_column) and
+        traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
+        turn_order_complete));
+      other_1 <= other_0;
+      other_2 <= other_1;
+      other_3 <= other_2;
+      other_4 <= other_6;
+      other_5 <= other_7;
+      other_6 <= other_6_choice * 4;
+      other_7 <= other_7_choice * 4;
+      other_8 <= other_13;
+      other_9 <= other_14;
+      other_10 <= other_15;
+      other_11 <= other_16;
+      other_12 <= other_17;
+      other_13 <= other_13_choice * 4;
+      other_14 <= other_14_choice * 4;
+      other_15 <= other_15_choice * 4;
+      other_16 <= other_16_choice * 4;
+      other_17 <= other_17_choice * 4;
+      other_18 <= other_23;
+      other_19 <= other_24;
+      other_20 <= other_25;
+      other_21 <= other_26;
+      other_22 <= other_27;
+      other_23 <= other_23_choice * 4;
+      other_24 <= other_24_choice * 4;
+      other_25 <= other_25_choice * 4;
+      other_26 <= other_26_choice * 4;
+      other_27 <= other_27_choice * 4;
+      if reset = '1' then
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 14;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_read_start_of_frame <= false;
+        transform_read_valid <= false;
+        transform_ready_column <= 0;
+        transform_ready_start_of_frame <= false;
+        transform_ready_valid <= false;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_start_of_frame <= false;
+        transform_filtering_valid <= false;
+        transform_filtered_start_of_frame <= false;
+        transform_filtered_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 12;
+        delay_tag_valid <= false;
+        delay_tag_map_column <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_tag_valid <= false;
+        rows_tag_map_column <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_map_column <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_map_column <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_map_column <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_map_column <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_map_column <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0_tag_0_valid <= false;
+        slice0_tag_0_map_column <= false;
+        slice0_tag_0_output_column <= false;
+        slice0_tag_0_start_of_frame <= false;
+        slice0_tag_0_end_of_line <= false;
+        slice0_tag_1_valid <= false;
+        slice0_tag_1_map_column <= false;
+        slice0_tag_1_output_column <= false;
+        slice0_tag_1_start_of_frame <= false;
+        slice0_tag_1_end_of_line <= false;
+        slice0_tag_2_valid <= false;
+        slice0_tag_2_map_column <= false;
+        slice0_tag_2_output_column <= false;
+        slice0_tag_2_start_of_frame <= false;
+        slice0_tag_2_end_of_line <= false;
+        entry_next_tag_valid <= false;
+        entry_next_tag_map_column <= false;
+        entry_next_tag_end_of_line <= false;
+        entry_next_top <= false;
+        entry_order_address <= 0;
+        entry_order_falls <= false;
+        entry_order_inside <= false;
+        entry_order_complete <= false;
+        entry_order_output <= false;
+        entry_order_held_output <= false;
+        entry_order_turned_output_column <= false;
+        entry_order_turned_start_of_frame <= false;
+        entry_tag_valid <= false;
+        entry_tag_map_column <= false;
+        entry_tag_end_of_line <= false;
+        entry_place <= 0;
+        entry_turned_output_column <= false;
+        entry_turned_start_of_frame <= false;
+        decisions_ready_inside <= false;
+        decisions_comes_0 <= false;
+        decisions_comes_1 <= false;
+        decisions_comes_2 <= false;
+        decisions_place_0 <= 0;
+        decisions_place_1 <= 0;
+        decisions_place_2 <= 0;
+        decisions_write_place <= 0;
+        last_tags_held_0_end_of_line <= false;
+        last_tags_held_1_map_column <= false;
+        last_tags_held_1_end_of_line <= false;
+        last_tags_held_2_map_column <= false;
+        last_tags_held_2_end_of_line <= false;
+        last_tags_moved <= false;
+        last_tag_valid <= false;
+        last_tag_map_column <= false;
+        last_tag_end_of_line <= false;
+        lastwinner1_tag_valid <= false;
+        lastwinner1_tag_map_column <= false;
+        lastwinner1_tag_end_of_line <= false;
+        lastwinner2_tag_valid <= false;
+        lastwinner2_tag_map_column <= false;
+        lastwinner2_tag_end_of_line <= false;
+        lastwinner3_tag_valid <= false;
+        lastwinner3_tag_map_column <= false;
+        lastwinner3_tag_end_of_line <= false;
+        lastwinner4_tag_valid <= false;
+        lastwinner4_tag_map_column <= false;
+        lastwinner4_tag_end_of_line <= false;
+        traceback_tags_held_0_output_column <= false;
+        traceback_tags_held_0_start_of_frame <= false;
+        traceback_tags_held_1_output_column <= false;
+        traceback_tags_held_1_start_of_frame <= false;
+        traceback_out_tag_map_column <= false;
+        traceback_out_tag_output_column <= false;
+        traceback_out_tag_start_of_frame <= false;
+        traceback_out_tag_end_of_line <= false;
+        turn_order_address <= 0;
+        turn_order_falls <= false;
+        turn_order_inside <= false;
+        turn_order_complete <= false;
+        turn_order_output <= false;
+        turn_order_first <= false;
+        turn_order_held_output <= false;
+        turn_order_turned_map_column <= false;
+        turn_order_turned_output_column <= false;
+        turn_comes <= false;
+        turn_read_tag_map_column <= false;
+        turn_read_tag_output_column <= false;
+        turn_write_place <= 0;
+        turn_ready_tag_map_column <= false;
+        turn_ready_tag_output_column <= false;
+        fill_out_tag_output_column <= false;
+        other_0 <= 0;
+        other_1 <= 0;
+        other_2 <= 0;
+        other_3 <= 0;
+      end if;
+    end if;
+  end process;
+end architecture;
