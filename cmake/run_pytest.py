@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Run pytest files for ctest: exit code 0 passed, 77 all skipped, else failed (no test at all is a failure)."""
+"""Run pytest files for ctest: exit code 0 passed, 77 all skipped, else failed (no test at all is a failure).
 
+Cases that skipped themselves in a file that passed are named in lines SKIPPED CASE, and in the file STEREO_SKIPPED."""
+
+import os
 import sys
 
 SKIPPED = 77
@@ -12,11 +15,14 @@ class Tally:
 
     def __init__(self):
         self.passed = 0
-        self.skipped = []
+        self.skipped = []  # reasons
+        self.cases = []  # (name, reason) of each
 
     def _record_skip(self, report):
         reason = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
-        self.skipped.append(reason.removeprefix("Skipped: "))
+        reason = reason.removeprefix("Skipped: ")
+        self.skipped.append(reason)
+        self.cases.append((report.nodeid.rpartition("/")[2], reason.removeprefix("SKIP: ")))
 
     def pytest_runtest_logreport(self, report):
         if report.skipped:
@@ -45,7 +51,19 @@ def main():
         for reason in dict.fromkeys(tally.skipped):
             print(f"SKIP: {reason}")
         return SKIPPED
+    for case, reason in tally.cases:
+        print(f"SKIPPED CASE: {case}: {reason}")
+    write_skipped(tally.cases)
     return code
+
+
+def write_skipped(cases):
+    """Appends to the file that STEREO_SKIPPED names, from which scripts/test.sh makes its summary. One line at a time:
+    tests run side by side."""
+    path = os.environ.get("STEREO_SKIPPED")
+    if path:
+        with open(path, "a", buffering=1) as file:
+            file.writelines(f"{case}: {reason}\n" for case, reason in cases)
 
 
 if __name__ == "__main__":

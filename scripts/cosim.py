@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Co-simulates the generated VHDL of a configuration against the C++ core on a stereo pair, to the last bit and
+"""Co-simulates the generated VHDL of configurations against the C++ core on a stereo pair, to the last bit and
 clock."""
 
+import argparse
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import ArgumentParser, FlowError, run_command
-from flow.cosim import job, record
+from flow.base.tools import ROOT
+from flow.cosim import job, record, regression
 from flow.cosim.simulators import SIMULATORS
 
 MOST_SECONDS = 1e6
@@ -16,9 +18,26 @@ MOST_SECONDS = 1e6
 
 def main() -> int:
     parser = ArgumentParser(prog="cosim.py", description=__doc__)
-    parser.add_argument("--config", required=True, help="named configuration (see stereo_hls configurations)")
-    parser.add_argument("--left", required=True, type=Path, help="left image of the rectified pair")
-    parser.add_argument("--right", required=True, type=Path, help="right image")
+    parser.add_argument(
+        "--config",
+        dest="configs",
+        required=True,
+        nargs="+",
+        action="extend",
+        metavar="NAME",
+        help="named configurations (see stereo_hls configurations), patterns such as 'tiny*', or all: those with VHDL",
+    )
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="so many configurations at a time (default 1)")
+    parser.add_argument("--fail-fast", action="store_true", help="start no more configurations after one that fails")
+    parser.add_argument(
+        "--changed",
+        action="store_true",
+        help="only configurations that have not passed into --out before with the same VHDL, model, tools and options",
+    )
+    parser.add_argument("--left", type=path, help="left image of the rectified pair (default: a generated scene)")
+    parser.add_argument("--right", type=path, help="right image")
+    parser.add_argument("--stimulus", type=path, help="a stimulus.txt of one's own instead of images")
+    parser.add_argument("--expected", type=path, help="its expected.txt")
     parser.add_argument(
         "--rows",
         metavar="A:B|N",
@@ -43,11 +62,18 @@ def main() -> int:
         "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
     )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
-    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
-    parser.add_argument("--out", type=Path, help="where reports go (default build/cosim/CONFIG-SIMULATOR)")
+    parser.add_argument("--rtl", type=path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
+    parser.add_argument(
+        "--allow-edited", action="store_true", help="take VHDL that differs from its manifest, for experiments"
+    )
+    parser.add_argument(
+        "--out",
+        type=path,
+        help="where reports go (default build/cosim/CONFIG-SIMULATOR; of several build/cosim/regression)",
+    )
     parser.add_argument(
         "--wave",
-        type=Path,
+        type=path,
         metavar="FILE",
         help=".ghw, .fst or .vcd (ghdl), .fst (verilator) around the first mismatch",
     )
@@ -65,8 +91,37 @@ def main() -> int:
         help="keep the result beside the VHDL, in cosimulation.json, for docs/performance.md",
     )
     options = parser.parse_args()
-    if options.record and (options.rtl or options.simulator == "original"):
-        raise FlowError("--record keeps results of the VHDL in generated_rtl: no --rtl, no --simulator original")
+    _check(options)
+    if len(set(options.configs)) > 1 or regression.is_pattern(options.configs[0]):
+        return _several(options)
+    if options.jobs != 1 or options.fail_fast or options.changed:
+        raise FlowError("--jobs, --fail-fast and --changed are for several configurations")
+    fields = {name: value for name, value in vars(options).items() if name in job.Job.__dataclass_fields__}
+    report = job.run_job(job.Job(options.configs[0], **fields))
+    if options.record:
+        record.keep(report)
+    return job.exit_code(report)
+
+
+def path(text: str) -> Path:
+    if not text:  # else it would be the current folder
+        raise ValueError
+    return Path(text)
+
+
+def _check(options: argparse.Namespace) -> None:
+    if options.record and (options.rtl or options.simulator == "original" or options.stimulus or options.allow_edited):
+        raise FlowError(
+            "--record keeps results of the VHDL in generated_rtl: no --rtl, --allow-edited, --stimulus, "
+            "no --simulator original"
+        )
+    for one, other in (("left", "right"), ("stimulus", "expected")):
+        if (getattr(options, one) is None) != (getattr(options, other) is None):
+            raise FlowError(f"--{one} and --{other} go together: both are required")
+    if options.stimulus and (options.left or options.rows or options.broken or options.stall_percent):
+        raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
+    if options.jobs < 1:
+        raise FlowError("--jobs must be at least 1")
     if options.record and options.broken:
         raise FlowError("--record keeps results of whole frames and rows: no --broken")
     if options.frames < 1:
@@ -75,13 +130,35 @@ def main() -> int:
         raise FlowError("--broken must be at least 0")
     if options.broken and (options.frames != 1 or options.rows):
         raise FlowError("--broken takes the place of --frames and --rows")
+    if options.rows == "":
+        raise FlowError("--rows must not be empty")
+    if not 0 <= options.seed < 2**64:
+        raise FlowError(f"--seed must be 0 ... {2**64 - 1}")
     if not 0 < options.watchdog_seconds < MOST_SECONDS:
         raise FlowError(f"--watchdog must be above 0 and below {MOST_SECONDS:g} seconds")
-    is_kept = vars(options).pop("record")
-    report = job.run_job(job.Job(**vars(options)))
-    if is_kept:
-        record.keep(report)
-    return job.exit_code(report)
+
+
+def _several(options: argparse.Namespace) -> int:
+    for name in ("rtl", "wave", "stimulus"):
+        if getattr(options, name):
+            raise FlowError(f"--{name} is for one configuration")
+    words: list[str] = []
+    for name in ("left", "right", "rows", "frames", "broken", "stall_percent", "seed", "fit"):
+        value = getattr(options, name)
+        if value is not None:
+            words += [f"--{name.replace('_', '-')}", str(value)]
+    words += ["--watchdog", str(options.watchdog_seconds)]
+    words += [f"--{name}" for name in ("allow-edited", "record") if getattr(options, name.replace("-", "_"))]
+    return regression.Regression(
+        regression.select(options.configs),
+        options.simulator,
+        words,
+        [image for image in (options.left, options.right) if image],
+        options.out or ROOT / "build" / "cosim" / "regression",
+        options.jobs,
+        options.fail_fast,
+        options.changed,
+    ).run()
 
 
 if __name__ == "__main__":

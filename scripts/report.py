@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
-from flow.base.errors import EXIT_OK, ArgumentParser, run_command
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
 from flow.pages import demo_folder, report
 
 
@@ -21,7 +21,7 @@ def main() -> int:
     files.write(page, report.render(demo))
     print(f"Page: {page}, picture: {options.demo / demo_folder.PICTURE}")
     print(report.summary(demo))
-    return EXIT_OK
+    return EXIT_OK if demo.passed else EXIT_MISMATCH
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ packages=(
    ghdl-mcode verilator yosys                                # co-simulation and proofs
    python3 python3-venv python3-rich python3-jinja2                # the flow
    python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
-   python3-pytest python3-hypothesis                         # its tests
+   python3-pytest python3-hypothesis chromium                # its tests; pages as a browser shows them
 )
 
 case "${1:-}" in

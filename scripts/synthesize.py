@@ -12,11 +12,12 @@ from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, 
 from flow.base.tools import find_bambu
 from flow.shell import template
 from flow.synthesis.generate import generate
-from flow.synthesis.manifest import stale_reasons
+from flow.synthesis.manifest import check_program, stale_reasons
 
 
 def check(names: Iterable[str], table: dict[str, Configuration]) -> int:
     """Says for each configuration whether its committed VHDL follows from the sources. Needs no Bambu."""
+    check_program(table)
     stale = {name: stale_reasons(name, table[name]) for name in names}
     for name, reasons in stale.items():
         print(f"{name}: {'stale: ' + '; '.join(reasons) if reasons else 'up to date'}")
@@ -49,6 +50,7 @@ def main() -> int:
         configuration(name, table)
     if options.check:
         return check(names, table)
+    check_program(table)
     find_bambu()
     for name in names:
         report = generate(name, out=options.out / name if options.out else None)["tool_report"]

@@ -15,6 +15,17 @@ SKIPS = "import pytest\ndef test_skips():\n    pytest.skip('ghdl is missing')\n"
 SKIPS_WHOLE = "import pytest\npytest.skip('ghdl is missing', allow_module_level=True)\n"
 
 
+def test_skipped_cases_of_a_file_that_passes_are_named(tmp_path):
+    (tmp_path / "case_test.py").write_text(SKIPS + PASSES)
+    command = [sys.executable, ROOT / "cmake" / "run_pytest.py", "case_test.py"]
+    skipped = tmp_path / "skipped.txt"
+    environment = {**os.environ, "STEREO_SKIPPED": str(skipped)}
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, env=environment)
+    assert result.returncode == 0
+    assert "SKIPPED CASE: case_test.py::test_skips: ghdl is missing" in result.stdout
+    assert skipped.read_text() == "case_test.py::test_skips: ghdl is missing\n"
+
+
 @pytest.mark.parametrize(
     "text, code, skip_shown",
     [

@@ -53,6 +53,15 @@ def test_one_difference_is_found(change):
         assert part in text
 
 
+@pytest.mark.parametrize("place", [999, 1000, 4096, 20_000, -1])
+def test_the_last_of_many_outputs_counts_as_the_first(place):
+    expected = expected_frame(5000)
+    observed = seen(expected)
+    observed[place] = Observed(observed[place].clock, 9, observed[place].flags)
+    verdict = checker.compare(expected, observed)
+    assert not verdict.passed and verdict.mismatches == 1 and verdict.compared == 45_000
+
+
 def test_missing_outputs_are_mismatches():
     expected = expected_frame()
     verdict = checker.compare(expected, seen(expected)[:-2])

@@ -20,9 +20,10 @@ def pair(tmp_path_factory):
 
 @pytest.fixture
 def nothing_written(tmp_path):
-    """The output folder, which must hold no report in the end."""
+    """The output folder, which must hold no result in the end: no report, or one of an error."""
     yield tmp_path / "out"
-    assert not (tmp_path / "out" / "report.json").exists()
+    path = tmp_path / "out" / "report.json"
+    assert not path.exists() or json.loads(path.read_text())["error"]["exit_code"] in (2, 3, 4)
 
 
 @pytest.fixture
@@ -47,7 +48,8 @@ def test_a_reader_that_leaves_early_is_no_failure_to_report():
 
 
 def test_missing_option(nothing_written):
-    refused(call("cosim.py", "--config", "tiny"), 2, "required", "--left", "--help")
+    refused(call("cosim.py"), 2, "required", "--config", "--help")
+    refused(call("cosim.py", "--config", "tiny", "--left", "left.png"), 2, "required", "--left", "--right")
 
 
 @pytest.mark.parametrize(
@@ -85,6 +87,10 @@ def test_bad_rows(pair, nothing_written, rows):
         ("--stall-percent", "200"),
         ("--simulator", "modelsim"),
         ("--wave", "wave.txt"),
+        ("--seed", "-1"),
+        ("--seed", str(2**64)),
+        ("--rows", ""),
+        ("--out", ""),
         ("--watchdog", "nan"),
         ("--watchdog", "-1"),
     ],
@@ -189,7 +195,6 @@ def test_output_folder_that_cannot_be(pair, tmp_path):
         2,
         "cannot create the folder of --wave",
     )
-    assert not (tmp_path / "out").exists()
     refused(call("build_example.py", "--out", tmp_path / "file"), 2, "file: File exists")
     refused(call("lint.py", "--rtl", tmp_path / "file"), 2, "file/", "Not a directory")
 

@@ -262,10 +262,18 @@ def test_page_of_a_difference(filled):
         latency_clocks=None,
     )
     process = call("report.py", "--demo", filled)
-    assert process.returncode == 0, process.stderr
+    assert process.returncode == 1, process.stderr
     assert process.stdout.splitlines()[1].startswith("FAIL: ") and "578 mismatches" in process.stdout
     text = (filled / "report.html").read_text()
     assert "VHDL and C++ differ" in text and "clock 9: &lt;surplus&gt; output" in text and "0 / 576" in text
+
+
+@pytest.mark.parametrize("name", COSIMS)
+def test_one_difference_is_a_failure(filled, name):
+    change(filled / name / "report.json", passed=False, mismatches=1, first_mismatch="clock 9")
+    process = call("report.py", "--demo", filled)
+    assert process.returncode == 1, process.stderr
+    assert process.stdout.splitlines()[1].startswith("FAIL: ")
 
 
 def test_texts_from_files_are_escaped(filled):
@@ -313,6 +321,14 @@ def without(path, key):
             lambda path: change(path, initiation_interval={"min": 1}),
             ["damaged", "no 'avg'"],
         ),
+        (
+            "cosim-ghdl/report.json",
+            lambda path: change(path, expected=0, compared=0),
+            ["damaged", "do not say what its 'passed' says"],
+        ),
+        ("cosim-ghdl/report.json", lambda path: change(path, compared=1167), ["damaged", "'passed'"]),
+        ("cosim-ghdl/report.json", lambda path: change(path, mismatches=1), ["damaged", "'passed'"]),
+        ("cosim-verilator/report.json", lambda path: change(path, passed=False), ["damaged", "'passed'"]),
         ("cosim-verilator/report.json", lambda path: change(path, config="ambrosch2007"), ["ambrosch2007", "tiny"]),
     ],
 )

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The committed VHDL must follow from the committed sources: a change of the C++ without new VHDL fails here."""
 
+import json
+import os
+
 import pytest
 
 from flow.base import rtl, tools
 from flow.base.configurations import PLANNED, configuration, configurations
+from flow.base.errors import FlowError
 from flow.synthesis import generate, manifest
 from flow_commands import call
 
@@ -123,6 +127,56 @@ def test_vhdl_that_is_not_what_was_made_is_said(project):
     assert manifest.stale_reasons("tiny", TABLE["tiny"]) == ["stereo_core_tiny.vhd is missing"]
 
 
+def edit_manifest(folder, **changes):
+    """By hand, not by the flow."""
+    path = folder / "manifest.json"
+    path.write_text(json.dumps(json.loads(path.read_text()) | changes))
+
+
+def test_a_manifest_that_was_edited_is_said(project):
+    folder = project / "generated_rtl" / "block_matching" / "tiny"
+    report = manifest.read(folder)["tool_report"] | {"register_bits": 1}
+    edit_manifest(folder, tool_report=report)
+    assert manifest.stale_reasons("tiny", TABLE["tiny"]) == ["manifest.json was edited"]
+
+
+@pytest.mark.parametrize("changes", [{"files": {}}, {"configuration": "tiny_p2"}])
+def test_a_manifest_that_does_not_name_the_core_is_said(project, changes):
+    folder = project / "generated_rtl" / "block_matching" / "tiny"
+    manifest.write(folder, manifest.read(folder) | changes)
+    reasons = manifest.stale_reasons("tiny", TABLE["tiny"])
+    assert reasons == ["its manifest does not name stereo_core_tiny.vhd as its VHDL"]
+
+
+def test_vhdl_and_digest_edited_together_are_said(project):
+    folder = project / "generated_rtl" / "block_matching" / "tiny"
+    design = folder / "stereo_core_tiny.vhd"
+    design.write_text(design.read_text().replace("raster_place_group = 11", "raster_place_group = 10"))
+    digests = {design.name: manifest.digest(design)}
+    edit_manifest(folder, files=digests)
+    expected = ["manifest.json was edited", "stereo_core_tiny.vhd is not the design that was made"]
+    assert manifest.stale_reasons("tiny", TABLE["tiny"]) == expected
+    manifest.write(folder, manifest.read(folder))
+    assert manifest.stale_reasons("tiny", TABLE["tiny"]) == expected[1:], "even with another seal"
+
+
+def test_a_program_that_is_older_than_a_table_is_refused(project, tmp_path, monkeypatch):
+    program = tmp_path / "stereo_hls"
+    program.write_text("#!/bin/sh\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("STEREO_HLS", str(program))
+    table = project / "hls" / "block_matching" / "configurations.hpp"
+    for other in project.glob("hls/*/configurations.hpp"):
+        os.utime(other, (1000, 1000))
+    manifest.check_program({"tiny": TABLE["tiny"]})
+    os.utime(table, (program.stat().st_mtime + 10,) * 2)
+    with pytest.raises(
+        FlowError, match="is older than hls/block_matching/configurations.hpp; build it again"
+    ) as caught:
+        manifest.check_program({"tiny": TABLE["tiny"]})
+    assert caught.value.exit_code == 1
+
+
 def test_a_changed_row_of_the_table_makes_only_its_vhdl_stale(project):
     append(project / "hls" / "block_matching" / "configurations.hpp", "// another configuration\n")
     assert manifest.stale_reasons("ambrosch2007", TABLE["ambrosch2007"]) == []
@@ -169,7 +223,6 @@ def test_a_failing_tool_leaves_nothing_behind(tmp_path):
 
 
 def test_a_log_without_figures_is_refused():
-    from flow.base.errors import FlowError
     from flow.synthesis import bambu
 
     with pytest.raises(FlowError, match="no line 'Number of states"):

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 220,
-      latency_clocks => 19,
+      latency_clocks => 21,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"dcfc3b1c",
+      core_id => x"37f622e2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 220,
-      latency_clocks => 19,
+      latency_clocks => 21,
       flush_groups => 320,
       gap_groups => 0)
     port map (

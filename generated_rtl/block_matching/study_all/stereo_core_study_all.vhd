@@ -712,7 +712,6 @@ begin
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 3200;
     variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 3200;
     variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 3200;
-    variable slice1_best_second_0_0_choice_5, slice1_best_second_0_0_choice_6 : natural range 0 to 3200;
     variable slice0other_winner_0_0_choice, slice0other_winner_0_0_choice_2 : natural range 0 to 15;
     variable slice0other_winner_0_0_choice_3, slice0other_winner_0_0_choice_4 : natural range 0 to 15;
     variable slice0other_winner_0_0_choice_5, slice0other_winner_0_0_choice_6 : natural range 0 to 15;
@@ -2134,12 +2133,8 @@ begin
         slice1_best_second_0_0_choice;
       slice1_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0 when slice1_best_place_0_0 else
         slice1winner3_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3 when slice1_best_at_end_0_0 and (not
-        slice1_best_at_start_0_0) else slice1winner3_best_but_last_0_0;
-      slice1_best_second_0_0_choice_5 := slice1_best_second_0_0_choice_3 when (not slice1_best_at_end_0_0) and (not
-        slice1_best_at_start_0_0) else slice1winner3_best_but_last_0_0;
-      slice1_best_second_0_0_choice_6 := slice1_best_second_0_0_choice_4 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice_5;
+      slice1_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0 when slice1_best_at_start_0_0 else
+        slice1_best_second_0_0_choice_3;
       slice1_best_cost_0_0 <= slice0winner3_best_late_cost_0_0 when slice1_best_cost_0_0_is_less else
         slice1winner3_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
@@ -2154,7 +2149,7 @@ begin
         slice1_best_above_0_0_is_equal;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
       slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_6) < 0 else slice1_best_second_0_0_choice_6;
+        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <sstream>
 
+#include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
-#include "program/commands/positive_number.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/depth.hpp"
 #include "program/depth/rectification.hpp"

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <optional>
 
+#include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
-#include "program/commands/positive_number.hpp"
 #include "program/commands/timed.hpp"
 #include "program/errors.hpp"
 #include "program/evaluation/camera_difference.hpp"

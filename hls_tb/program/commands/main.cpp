@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engines/clocked/core_modules.hpp"
+#include "program/commands/checks.hpp"
 #include "program/commands/configurations_command.hpp"
 #include "program/commands/depth_command.hpp"
 #include "program/commands/evaluate_command.hpp"
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
    add_vectors(app);
    add_trace(app);
    add_configurations(app);
+   refuse_empty_values(app);
    try {
       app.parse(argc, argv);
       require_printed();

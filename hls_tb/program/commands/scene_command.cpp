@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/io/images.hpp"
 #include "program/io/output_folder.hpp"
@@ -43,9 +44,7 @@ void add_scene(CLI::App& app) {
    SceneOptions& options = arguments.options;
    CLI::App* command = app.add_subcommand("scene", "make a stereo pair with ground truth: left.png, right.png, ...");
    command->add_option("--out", arguments.out, "folder for the results")->required();
-   command->add_option("--seed", options.seed, "another number, another scene")
-       ->required()
-       ->check(CLI::NonNegativeNumber);
+   command->add_option("--seed", options.seed, "another number, another scene")->required()->check(check_seed);
    CLI::Option* config = command->add_option("--config", arguments.config, "take the size from this configuration");
    command->add_option("--width", options.width, "image width")->capture_default_str()->excludes(config);
    command->add_option("--height", options.height, "image height")->capture_default_str()->excludes(config);

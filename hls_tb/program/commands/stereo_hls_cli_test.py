@@ -3,6 +3,7 @@
 stereo_hls_match_test.py."""
 
 import json
+import os
 import subprocess
 
 import pytest
@@ -304,3 +305,25 @@ def test_words_that_are_no_choice(tmp_path, match, option, value):
 )
 def test_vectors_options_out_of_range(tmp_path, pair, option, value):
     fail(tmp_path, "vectors", "--config", "tiny", *pair, "--out", tmp_path / "v", option, value, says=[value])
+
+
+@pytest.mark.parametrize("seed", ["-1", str(2**64), "9" * 300, "1.5", "0x1"])
+def test_seeds_that_would_be_another_number(tmp_path, seed):
+    """A message fits a line."""
+    words = [PROGRAM, "scene", "--config", "tiny", f"--seed={seed}", "--out", tmp_path / "out"]
+    result = subprocess.run(words, capture_output=True, text=True)
+    assert result.returncode == 2 and "no whole number of 0 ... 18446744073709551615" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_an_empty_value_is_refused():
+    words = [PROGRAM, "scene", "--config", "tiny", "--seed", "1", "--out="]
+    result = subprocess.run(words, capture_output=True, text=True)
+    assert result.returncode == 2 and "--out" in result.stderr, result.stderr
+
+
+def test_a_pipe_as_image_is_refused(tmp_path):
+    os.mkfifo(tmp_path / "left.png")
+    words = [PROGRAM, "match", "--config", "tiny", "--left", tmp_path / "left.png", "--right", tmp_path / "left.png"]
+    result = subprocess.run([*words, "--out", tmp_path / "out"], capture_output=True, text=True, timeout=20)
+    assert result.returncode == 2 and "left.png: is a pipe or a device" in result.stderr

@@ -9,6 +9,7 @@
 #include "cosim/vector_files.hpp"
 #include "engines/clocked/core_modules.hpp"
 #include "engines/clocked/run_core.hpp"
+#include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/pair_options.hpp"
 #include "program/errors.hpp"
@@ -87,7 +88,7 @@ void add_vectors(CLI::App& app) {
        ->capture_default_str();
    command->add_option("--seed", options.seed, "of the bubbles and flush rows")
        ->capture_default_str()
-       ->check(CLI::NonNegativeNumber);
+       ->check(check_seed);
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
    command->callback([] { vectors(arguments); });
 }

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 
+#include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
-#include "program/commands/positive_number.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/vertical_offset.hpp"
 #include "program/errors.hpp"

@@ -9,6 +9,7 @@
 
 #include "program/errors.hpp"
 #include "program/io/child_process.hpp"
+#include "program/io/require_file.hpp"
 #include "program/io/silent_stderr.hpp"
 
 namespace stereo::app {
@@ -101,7 +102,7 @@ void take_answer(Calibration& calibration, std::string_view bytes) {
 
 void read_into(Calibration& calibration, const std::string& path, std::chrono::milliseconds limit) {
    std::error_code error;
-   if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": there is no such file");
+   require_file(path, path);
    const std::string sentence =
        path + ": not a calibration that can be read; give a YAML file as OpenCV's stereo_calib writes it";
    if (std::filesystem::file_size(path, error) > kLargestFile) throw InputError(sentence);

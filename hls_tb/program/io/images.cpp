@@ -2,14 +2,16 @@
 #include "program/io/images.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
-#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "program/errors.hpp"
 #include "program/io/opencv_images.hpp"
+#include "program/io/require_file.hpp"
 #include "program/io/silent_stderr.hpp"
 
 namespace stereo::app {
@@ -27,6 +29,14 @@ GrayImage resized(GrayImage image, int width, int height) {
    const bool shrinks = width <= image.width && height <= image.height;
    cv::resize(as_mat(image), result, {width, height}, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
    return from_mat(result);
+}
+
+/// A PNG of that kind, whose second channel OpenCV drops.
+bool is_gray_with_alpha(const std::string& path) {
+   constexpr std::size_t kColorType = 25;
+   std::array<char, kColorType + 1> head{};
+   std::ifstream file(path, std::ios::binary);
+   return file.read(head.data(), head.size()) && std::memcmp(head.data(), "\x89PNG", 4) == 0 && head[kColorType] == 4;
 }
 
 /// A picture of one plane of a map.
@@ -48,7 +58,7 @@ GrayImage from_mat(const cv::Mat& mat) {
 }
 
 cv::Mat read_image(const std::string& path, const std::string& name) {
-   if (!std::filesystem::exists(path)) throw InputError(name + ": there is no such file");
+   require_file(path, name);
    cv::Mat mat;
    try {
       const SilentStderr silent;
@@ -97,6 +107,7 @@ std::string encode(const cv::Mat& mat) {
 GrayImage load_gray(const std::string& path) {
    const cv::Mat mat = read_8_bit_image(path);
    if (mat.channels() > 1) std::cout << path << ": colour image converted to grey\n";
+   if (mat.channels() == 4 || is_gray_with_alpha(path)) std::cout << path << ": its transparency is left out\n";
    return gray_of_any(mat);
 }
 

@@ -23,11 +23,6 @@ OutputFolder::OutputFolder(const std::string& path, const std::string& option)
                        (made_.error() ? " (" + made_.error().message() + ")" : "") + "; give one that can be written");
 }
 
-OutputFolder::~OutputFolder() {
-   std::error_code ignored;
-   for (const std::string& name : names_) fs::remove(temporary(name), ignored);
-}
-
 fs::path OutputFolder::temporary(const std::string& name) const {
    return path_ / ("." + name + ".partial-" + std::to_string(getpid()));
 }
@@ -37,6 +32,7 @@ void OutputFolder::add(const std::string& name, const std::string& content) {
    if (fs::is_directory(path_ / name, ignored))
       throw InputError((path_ / name).string() + ": is a folder; give another " + option_);
    names_.push_back(name);
+   partial_.push_back(std::make_unique<PartialFile>(temporary(name)));
    std::ofstream file(temporary(name), std::ios::binary);
    file << content;
    file.close();
@@ -74,6 +70,7 @@ void OutputFolder::commit(Says says) {
       for (const std::string& name : left_out_) fs::remove(path_ / name);
    for (const std::string& name : names_) fs::rename(temporary(name), path_ / name);
    names_.clear();
+   partial_.clear();
 }
 
 }  // namespace stereo::app

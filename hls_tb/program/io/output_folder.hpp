@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "program/io/made_folders.hpp"
+#include "program/io/partial_files.hpp"
 
 namespace stereo::app {
 
@@ -16,7 +18,7 @@ class OutputFolder {
    /// Creates the folder where it is missing. Throws InputError, which names the option, when that fails.
    explicit OutputFolder(const std::string& path, const std::string& option = "--out");
    /// Removes what was not committed, and the folders that were made for it.
-   ~OutputFolder();
+   ~OutputFolder() = default;
    OutputFolder(const OutputFolder&) = delete;
    OutputFolder& operator=(const OutputFolder&) = delete;
 
@@ -39,6 +41,7 @@ class OutputFolder {
    std::string option_;
    MadeFolders made_;
    std::vector<std::string> names_;
+   std::vector<std::unique_ptr<PartialFile>> partial_;
    std::vector<std::string> left_out_;
 };
 

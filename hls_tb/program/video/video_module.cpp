@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <opencv2/videoio.hpp>
 
@@ -11,6 +14,7 @@
 #include "program/errors.hpp"
 #include "program/io/frame_size.hpp"
 #include "program/io/made_folders.hpp"
+#include "program/io/partial_files.hpp"
 #include "program/io/silent_stderr.hpp"
 #include "program/video/video_files.hpp"
 
@@ -60,20 +64,20 @@ class VideoSource : public FrameSource {
 
 class AviSink : public FrameSink {
   public:
-   AviSink(const std::string& path, double frames_per_second, cv::Size size) : path_(path), made_(path_.parent_path()) {
+   AviSink(const std::string& path, double frames_per_second, cv::Size size)
+       : path_(path),
+         made_(path_.parent_path()),
+         partial_(path_.parent_path() /
+                  std::string(".").append(path_.stem()).append(".partial-" + std::to_string(getpid()) + ".avi")) {
       std::error_code ignored;
-      partial_ = path_.parent_path() /
-                 std::string(".").append(path_.stem()).append(".partial-" + std::to_string(getpid()) + ".avi");
       const SilentStderr silent;
       const int motion_jpeg = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
       if (fs::is_directory(path_, ignored) ||
-          !writer_.open(partial_.string(), cv::CAP_OPENCV_MJPEG, motion_jpeg, frames_per_second, size))
+          !writer_.open(partial_.path().string(), cv::CAP_OPENCV_MJPEG, motion_jpeg, frames_per_second, size))
          throw InputError("--out " + path + ": the video cannot be written there");
    }
    ~AviSink() override {
-      std::error_code ignored;
       if (writer_.isOpened()) writer_.release();
-      fs::remove(partial_, ignored);
    }
    AviSink(const AviSink&) = delete;
    AviSink& operator=(const AviSink&) = delete;
@@ -85,18 +89,29 @@ class AviSink : public FrameSink {
 
    void commit() override {
       writer_.release();
-      // The writer does not say when the disk is full; a frame takes some hundred bytes at least.
-      std::error_code error;
-      if (fs::file_size(partial_, error) < 100 * frames_ || error)
+      if (!is_whole())
          throw InputError("--out " + path_.string() + ": the video cannot be written there; check space and rights");
       std::cout << path_.string() << '\n';
       require_printed();
-      fs::rename(partial_, path_);
+      fs::rename(partial_.path(), path_);
    }
 
   private:
-   fs::path path_, partial_;
+   /// The writer does not say when the disk is full, but writes at the file's beginning how long it should be. A frame
+   /// takes some hundred bytes at least.
+   bool is_whole() const {
+      std::error_code error;
+      const uintmax_t size = fs::file_size(partial_.path(), error);
+      std::ifstream file(partial_.path(), std::ios::binary);
+      std::array<unsigned char, 8> head{};
+      file.read(reinterpret_cast<char*>(head.data()), head.size());
+      const uint32_t rest = head[4] | head[5] << 8U | head[6] << 16U | uint32_t(head[7]) << 24U;
+      return !error && file && size >= 100 * frames_ && size == uintmax_t(rest) + head.size();
+   }
+
+   fs::path path_;
    MadeFolders made_;
+   PartialFile partial_;
    cv::VideoWriter writer_;
    uintmax_t frames_ = 0;
 };

@@ -12,7 +12,7 @@ from .tools import ROOT
 
 def write(path: Path, content: str | bytes) -> None:
     """The whole file or none."""
-    temporary = None
+    temporary: Path | None = None
     data = content.encode() if isinstance(content, str) else content
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -21,10 +21,12 @@ def write(path: Path, content: str | bytes) -> None:
             file.write(data)
         temporary.chmod(0o644)
         os.replace(temporary, path)
+        temporary = None
     except OSError as error:
+        raise FlowError(f"cannot write {path}: {error.strerror}") from None
+    finally:  # of an interruption, too
         if temporary is not None:
             temporary.unlink(missing_ok=True)
-        raise FlowError(f"cannot write {path}: {error.strerror}") from None
 
 
 def update(texts: Mapping[Path, str], check: bool, command: str) -> int:

@@ -2,11 +2,13 @@
 """Finds the programs this flow calls, and calls them."""
 
 import os
+import re
 import selectors
 import shutil
 import subprocess
 import time
 from collections.abc import Callable, Iterable
+from functools import cache
 from pathlib import Path
 
 from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, EXIT_USAGE, FlowError
@@ -68,6 +70,23 @@ def find_native(name: str) -> str:
     return str(path)
 
 
+@cache
+def tool_version(program: str) -> str:
+    """The first line of what `program --version` says."""
+    lines = run([program, "--version"]).splitlines()
+    if not lines:
+        raise FlowError(f"{Path(program).name} --version says nothing", EXIT_TOOL_FAILED)
+    return lines[0].strip()
+
+
+def first_error(lines: Iterable[str]) -> str | None:
+    """The line of a tool's messages that says what is wrong; what follows are places and consequences."""
+    sign = re.compile(
+        r"\b(error|fatal)\b|^\S+:\d+:\d+: ", re.IGNORECASE
+    )  # or FILE:LINE:COLUMN: without a word, as GHDL
+    return next((line.strip() for line in lines if sign.search(line) and "warning" not in line.lower()), None)
+
+
 def run(command: Iterable[Word], cwd: Path | None = None, log: Path | None = None, passes_errors: bool = False) -> str:
     """Runs a program to its end and returns its standard output.
 
@@ -83,9 +102,9 @@ def run(command: Iterable[Word], cwd: Path | None = None, log: Path | None = Non
         if passes_errors:
             ours = result.returncode in (EXIT_USAGE, EXIT_MISSING_TOOL)
             raise FlowError(lines[-1].removeprefix("stereo_hls: "), result.returncode if ours else EXIT_TOOL_FAILED)
-        name = Path(words[0]).name
+        name, said = Path(words[0]).name, first_error(lines) or lines[-1]
         where = f"; see {log}" if log is not None else ""
-        raise FlowError(f"{name} failed with exit code {result.returncode}: {lines[-1]}{where}", EXIT_TOOL_FAILED)
+        raise FlowError(f"{name} failed with exit code {result.returncode}: {said}{where}", EXIT_TOOL_FAILED)
     return result.stdout
 
 
@@ -100,6 +119,7 @@ def run_with_progress(
     name = Path(words[0]).name
     started = time.monotonic()
     tail: list[str] = []
+    error: str | None = None
     with (
         subprocess.Popen(
             words,
@@ -123,9 +143,11 @@ def run_with_progress(
             if not line:
                 break
             tail = (tail + [line.strip()])[-5:]
+            error = error or first_error([line])
             on_line(line.strip())
         code = process.wait()
     if code != 0:
-        last_words = f": {' / '.join(tail)}" if tail else ""
+        said = error or " / ".join(tail)
+        last_words = f": {said}" if said else ""
         raise FlowError(f"{name} failed with exit code {code}{last_words}", EXIT_TOOL_FAILED)
     return time.monotonic() - started

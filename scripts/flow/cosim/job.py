@@ -2,7 +2,6 @@
 """Co-simulation: the C++ core makes stimulus and expectation, a simulator runs the VHDL, the checker compares."""
 
 import dataclasses
-import json
 import re
 import shlex
 import time
@@ -10,13 +9,15 @@ from pathlib import Path
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from ..base import builds, files, rtl
 from ..base.configurations import Parameters, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
+from ..base.facts import facts
 from ..base.tools import ROOT, Word, find_stereo_hls, run
 from ..synthesis import manifest
 from ..synthesis.bambu import original_files
-from . import checker, mismatch, vectors
-from .report import Report, summary, write_junit
+from . import checker, mismatch, report, vectors
+from .report import Report, summary
 from .simulators import SIMULATORS, Clocks, Ghdl, Simulator
 
 AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
@@ -26,8 +27,10 @@ SIMULATIONS = ROOT / "build" / "cosim" / "simulators"
 @dataclasses.dataclass(frozen=True)
 class Job:
     config: str
-    left: Path
-    right: Path
+    left: Path | None = None  # None: a generated scene
+    right: Path | None = None
+    stimulus: Path | None = None  # vectors of one's own instead of images
+    expected: Path | None = None
     rows: str | None = None  # "A:B", image rows A ... B-1 only; "N": middle_rows
     frames: int = 1
     broken: int = 0  # faults of a stream instead of frames
@@ -36,6 +39,7 @@ class Job:
     fit: str = "none"
     simulator: str = "ghdl"
     rtl: Path | None = None  # default: generated_rtl/FAMILY/CONFIG
+    allow_edited: bool = False  # VHDL that differs from its manifest
     out: Path | None = None  # default: build/cosim/CONFIG-SIMULATOR
     wave: Path | None = None
     watchdog_seconds: float = 300.0
@@ -45,8 +49,12 @@ class Job:
 
     def command(self) -> str:
         """The words that run it again."""
-        words: list[Word] = ["scripts/cosim.py", "--config", self.config, "--left", self.left, "--right", self.right]
+        words: list[Word] = ["scripts/cosim.py", "--config", self.config]
         for option, value, default in (
+            ("--left", self.left, None),
+            ("--right", self.right, None),
+            ("--stimulus", self.stimulus, None),
+            ("--expected", self.expected, None),
             ("--rows", self.rows, None),
             ("--frames", self.frames, 1),
             ("--broken", self.broken, 0),
@@ -56,6 +64,7 @@ class Job:
         ):
             if value is not None and value != default:
                 words += [option, value]
+        words += ["--allow-edited"] if self.allow_edited else []
         return shlex.join(str(word) for word in [*words, "--seed", self.seed, "--simulator", self.simulator])
 
 
@@ -73,33 +82,71 @@ def middle_rows(parameters: Parameters, least: int) -> str | None:
 
 def make_vectors(job: Job, directory: Path) -> tuple[Path, Path]:
     """(stimulus, expectation)"""
-    command: list[Word] = [find_stereo_hls(), "vectors", "--config", job.config, "--left", job.left]
-    command += ["--right", job.right, "--stall-percent", job.stall_percent]
+    stimulus, expected = directory / "stimulus.txt", directory / "expected.txt"
+    if job.stimulus is not None and job.expected is not None:
+        for path, copy in ((job.stimulus, stimulus), (job.expected, expected)):
+            _copy(path, copy)
+        return stimulus, expected
+    left, right = _pair(job, directory)
+    command: list[Word] = [find_stereo_hls(), "vectors", "--config", job.config, "--left", left]
+    command += ["--right", right, "--stall-percent", job.stall_percent]
     command += ["--broken", job.broken] if job.broken else ["--frames", job.frames]
     command += ["--seed", job.seed, "--fit", job.fit, "--out", directory]
     if job.rows is not None:
         command += ["--rows", job.rows]
     notices = run(command, passes_errors=True)
     print(notices, end="")
-    return directory / "stimulus.txt", directory / "expected.txt"
+    return stimulus, expected
+
+
+def _copy(path: Path, copy: Path) -> None:
+    try:
+        files.write(copy, path.read_bytes())
+    except OSError as error:
+        raise FlowError(f"cannot read vector file {path}: {error.strerror}") from None
+
+
+def _pair(job: Job, directory: Path) -> tuple[Path, Path]:
+    if job.left is not None and job.right is not None:
+        return job.left, job.right
+    scene = directory / "scene"
+    command: list[Word] = [find_stereo_hls(), "scene", "--config", job.config, "--seed", job.seed, "--out", scene]
+    run(command, passes_errors=True)
+    return scene / "left.png", scene / "right.png"
 
 
 def run_job(job: Job) -> Report:
-    """Runs one co-simulation, writes report.json and junit.xml, prints the summary. Returns the report."""
+    """Runs one co-simulation, writes report.json and junit.xml, prints the summary. Returns the report. An error is
+    written, too."""
+    if job.out is None and not re.fullmatch(r"\w+", job.config):
+        configuration(job.config)  # no name of a folder
+    out = _folder(job)
+    with builds.Exclusive(out):
+        for stale in ("report.json", "junit.xml", *mismatch.FILES):
+            (out / stale).unlink(missing_ok=True)
+        try:
+            return _run(job, out)
+        except FlowError as error:
+            report.write_failure(out, job.config, job.command(), job.simulator, job.seed, error)
+            raise
+
+
+def _run(job: Job, out: Path) -> Report:
     parameters = configuration(job.config)
     if job.rows is not None and re.fullmatch("[1-9][0-9]*", job.rows):
         job = dataclasses.replace(job, rows=middle_rows(parameters, int(job.rows)))
     _check_wave(job)
-    files = _vhdl_files(job)
-    out = _empty_folder(job)
+    design, edited = _vhdl_files(job)
     stimulus_path, expected_path = make_vectors(job, out)
     stimulus = vectors.read_stimulus(stimulus_path)
     expected, _ = vectors.read_expected(expected_path)
+    for path in (stimulus_path, expected_path):
+        vectors.check_fits(path, job.config, parameters)
 
-    simulator = _simulator(job, files, parameters)
+    simulator = _simulator(job, design, parameters)
     started = time.monotonic()
     print(f"{job.config}: building the {job.simulator} simulation ...", flush=True)
-    simulator.build()
+    is_new = simulator.build()
     build_seconds = time.monotonic() - started
 
     seconds = _simulate(job, simulator, stimulus_path, out / "observed.txt", len(stimulus))
@@ -108,20 +155,25 @@ def run_job(job: Job) -> Report:
         raise FlowError(f"the simulation ran {clocks} of {len(stimulus)} clocks", EXIT_TOOL_FAILED)
 
     verdict = checker.compare(expected, observed, parameters["disparity_bits"])
-    timing = checker.count_frames(observed) if job.broken else checker.measure(stimulus, observed, parameters)
-    report = make_report(job, verdict, timing, clocks, seconds, build_seconds)
+    is_irregular = bool(job.broken or job.stimulus)
+    timing = checker.count_frames(observed) if is_irregular else checker.measure(stimulus, observed, parameters)
+    result = make_report(job, verdict, timing, clocks, seconds, build_seconds)
+    result["is_cached"] = not is_new
+    result["tools"] = simulator.tools()
+    result["environment"] = facts()
+    if edited:
+        result["edited"] = edited
     if job.wave is not None:
-        report["wave"] = _dump_wave(job.wave, job, simulator, verdict, clocks)
-    (out / "report.json").write_text(json.dumps(report, indent=2) + "\n")
-    write_junit(out / "junit.xml", report, seconds)
-    print(summary(report))
+        result["wave"] = _dump_wave(job.wave, job, simulator, verdict, clocks)
+    report.write(out, result)
+    print(summary(result))
     if verdict.first_mismatch:
         _explain(job, parameters, simulator, verdict.first_mismatch, clocks)
-    return report
+    return result
 
 
-def exit_code(report: Report) -> int:
-    return EXIT_OK if report["passed"] else EXIT_MISMATCH
+def exit_code(result: Report) -> int:
+    return EXIT_OK if result["passed"] else EXIT_MISMATCH
 
 
 def make_report(
@@ -173,28 +225,34 @@ def _check_wave(job: Job) -> None:
         raise FlowError(f"cannot create the folder of --wave {job.wave}: {error.strerror}") from None
 
 
-def _vhdl_files(job: Job) -> list[Path]:
+def _vhdl_files(job: Job) -> tuple[list[Path], list[str]]:
+    """(in compile order, those that are not what their manifest says)"""
     if job.simulator == "original":
-        return original_files(job.config)
-    return manifest.vhdl_files(job.rtl) if job.rtl else manifest.core_files(job.config)
+        return original_files(job.config), []
+    folder = job.rtl.resolve() if job.rtl else rtl.folder(job.config)
+    entry = manifest.read(folder)
+    if entry["configuration"] != job.config:
+        raise FlowError(f"--rtl {job.rtl} is the VHDL of {entry['configuration']}, not of {job.config}")
+    edited = manifest.edited_files(folder)
+    if job.allow_edited:
+        return manifest.vhdl_files(folder, allow_edited=True), edited
+    return manifest.vhdl_files(folder), []
 
 
-def _empty_folder(job: Job) -> Path:
-    """The folder for the results, without those of an earlier run."""
+def _folder(job: Job) -> Path:
+    """For the results."""
     out = job.out_directory()
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FlowError(f"cannot create {out}: {error.strerror}") from None
-    for stale in ("report.json", "junit.xml", *mismatch.FILES):
-        (out / stale).unlink(missing_ok=True)
     return out
 
 
-def _simulator(job: Job, files: list[Path], parameters: Parameters) -> Simulator:
+def _simulator(job: Job, design: list[Path], parameters: Parameters) -> Simulator:
     folder = SIMULATIONS / f"{job.config}-{job.simulator}{'-trace' if job.wave else ''}"
     lanes, bits = parameters["pixels_per_clock"], parameters["disparity_bits"]
-    return SIMULATORS[job.simulator](job.config, files, folder, lanes, bits, trace=job.wave is not None)
+    return SIMULATORS[job.simulator](job.config, design, folder, lanes, bits, trace=job.wave is not None)
 
 
 def _simulate(job: Job, simulator: Simulator, stimulus: Path, observed: Path, clocks: int) -> float:

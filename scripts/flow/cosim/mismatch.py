@@ -111,7 +111,7 @@ def explain(
         clocks_shown = window(first.clock, clocks)
         dump(folder / DUMP, clocks_shown)
         report = json.loads(report_path.read_text()) | {"wave_clocks": clocks_shown}
-        report_path.write_text(json.dumps(report, indent=2) + "\n")
+        files.write(report_path, json.dumps(report, indent=2) + "\n")
     except FlowError as error:
         (folder / DUMP).unlink(missing_ok=True)
         lines.append(f"  no waveform of the mismatch: {error}")

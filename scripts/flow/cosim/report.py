@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a co-simulation gave: report.json, junit.xml and the lines on the terminal."""
 
+import json
 import xml.etree.ElementTree as xml
 from pathlib import Path
 from typing import NotRequired, TypedDict
 
+from ..base import files
+from ..base.errors import FlowError
+from ..base.facts import Facts, facts
 from .checker import Interval
 
 
@@ -30,8 +34,29 @@ class Report(TypedDict):
     clocks_per_second: float
     build_seconds: float
     simulation_seconds: float
+    is_cached: NotRequired[bool]  # the simulation was built by an earlier run, from the same contents
+    edited: NotRequired[list[str]]  # VHDL that is not what its manifest says
+    tools: NotRequired[dict[str, str]]  # {name: version}
+    environment: NotRequired[Facts]
     wave: NotRequired[str]  # the file that --wave asked for
     wave_clocks: NotRequired[tuple[int, int]]  # first and last in failure.vcd
+
+
+class Error(TypedDict):
+    exit_code: int
+    message: str
+
+
+class Failure(TypedDict):
+    """report.json of a co-simulation that came to no result."""
+
+    config: str
+    command: str
+    simulator: str
+    seed: int
+    passed: bool  # False
+    error: Error
+    environment: Facts
 
 
 def summary(report: Report) -> str:
@@ -40,6 +65,8 @@ def summary(report: Report) -> str:
         f"{'PASS' if report['passed'] else 'FAIL'}: {report['config']} in {report['simulator']}: "
         f"{report['compared']} of {report['expected']} outputs compared, {report['mismatches']} mismatches"
     ]
+    if report.get("edited"):
+        text.append(f"  EDITED VHDL, not what its manifest says: {', '.join(report['edited'])}")
     if report["first_mismatch"]:
         text.append(f"  first mismatch: {report['first_mismatch']}")
     if interval:
@@ -52,19 +79,81 @@ def summary(report: Report) -> str:
         text.append(f"  {report['clocks_per_frame']} clocks a frame")
     text.append(
         f"  {report['clocks']} clocks in {report['simulation_seconds']} s "
-        f"({report['clocks_per_second']:.0f} clocks/s), built in {report['build_seconds']} s"
+        f"({report['clocks_per_second']:.0f} clocks/s), "
+        + ("simulation cached" if report.get("is_cached") else f"built in {report['build_seconds']} s")
     )
     if "wave" in report:
         text.append(f"  waveform: {report['wave']}")
     return "\n".join(text)
 
 
-def write_junit(path: Path, report: Report, seconds: float) -> None:
-    name, time = f"cosim.{report['simulator']}", f"{seconds:.3f}"
-    failures = "0" if report["passed"] else "1"
-    suite = xml.Element("testsuite", name="cosim", tests="1", failures=failures, time=time)
-    case = xml.SubElement(suite, "testcase", classname=name, name=report["config"], time=time)
+def write(folder: Path, report: Report) -> None:
+    """report.json and junit.xml"""
+    files.write(folder / "report.json", json.dumps(report, indent=2) + "\n")
+    files.write(folder / "junit.xml", junit([case_of(report)]))
+
+
+def write_failure(folder: Path, config: str, command: str, simulator: str, seed: int, error: FlowError) -> None:
+    """The same of a co-simulation that came to no result."""
+    report: Failure = {
+        "config": config,
+        "command": command,
+        "simulator": simulator,
+        "seed": seed,
+        "passed": False,
+        "error": {"exit_code": error.exit_code, "message": str(error)},
+        "environment": facts(),
+    }
+    files.write(folder / "report.json", json.dumps(report, indent=2) + "\n")
+    files.write(folder / "junit.xml", junit([case_of_failure(report)]))
+
+
+# --- JUnit ------------------------------------------------------------------------------------------------------------
+
+
+def _case(config: str, simulator: str, seconds: float, properties: dict[str, object]) -> xml.Element:
+    case = xml.Element("testcase", classname=f"cosim.{simulator}", name=config, time=f"{seconds:.3f}")
+    entries = xml.SubElement(case, "properties")
+    for name, value in properties.items():
+        if value is not None:
+            xml.SubElement(entries, "property", name=name, value=str(value))
+    return case
+
+
+def case_of(report: Report) -> xml.Element:
+    properties: dict[str, object] = {key: report.get(key) for key in ("command", "seed", "compared", "clocks")}
+    properties["edited"] = ", ".join(report.get("edited", [])) or None
+    properties |= {f"tool.{name}": version for name, version in report.get("tools", {}).items()}
+    case = _case(report["config"], report["simulator"], report["simulation_seconds"], properties)
     if not report["passed"]:
         message = report["first_mismatch"] or "nothing was compared"
         xml.SubElement(case, "failure", message=message).text = summary(report)
-    xml.ElementTree(suite).write(path, encoding="utf-8", xml_declaration=True)
+    return case
+
+
+def case_of_failure(report: Failure) -> xml.Element:
+    case = _case(report["config"], report["simulator"], 0, {"command": report["command"], "seed": report["seed"]})
+    error = report["error"]
+    xml.SubElement(case, "error", message=error["message"], type=f"exit code {error['exit_code']}")
+    return case
+
+
+def case_not_run(config: str, simulator: str, reason: str) -> xml.Element:
+    case = _case(config, simulator, 0, {})
+    xml.SubElement(case, "skipped", message=reason)
+    return case
+
+
+def junit(cases: list[xml.Element]) -> bytes:
+    """A JUnit file of these cases; its numbers are counted from them."""
+    counts = {tag + "s": str(sum(case.find(tag) is not None for case in cases)) for tag in ("failure", "error")}
+    counts["skipped"] = str(sum(case.find("skipped") is not None for case in cases))
+    seconds = sum(float(case.attrib["time"]) for case in cases)
+    suite = xml.Element("testsuite", name="cosim", tests=str(len(cases)), time=f"{seconds:.3f}")
+    suite.attrib.update(counts)
+    properties = xml.SubElement(suite, "properties")
+    for name, value in facts().items():
+        xml.SubElement(properties, "property", name=name, value=str(value))
+    suite.extend(cases)
+    text: bytes = xml.tostring(suite, encoding="utf-8", xml_declaration=True)
+    return text + b"\n"

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The ways to run the VHDL. Each reads a stimulus file and writes an observed file (see vectors.py)."""
 
-import hashlib
 import os
 import shutil
+import tempfile
 import threading
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from ..base import ghdl, rtl
-from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress
+from ..base import builds, ghdl, rtl
+from ..base.tools import ROOT, Word, find_ghdl, find_verilator, run, run_with_progress, tool_version
 from . import vcd, waveform
 
 BENCH = ROOT / "hls_tb" / "cosim"
@@ -18,7 +18,7 @@ Clocks = tuple[int, int]  # first and last
 
 
 class Simulator:
-    """Builds a simulation of some VHDL files once, then runs it any number of times."""
+    """Builds a simulation of some VHDL files once, in a folder of `root`, then runs it any number of times."""
 
     name = ""
     wave_suffixes: tuple[str, ...] = ()
@@ -27,7 +27,7 @@ class Simulator:
         self,
         config: str,
         vhdl_files: Iterable[Path],
-        work: Path,
+        root: Path,
         pixels: int = 1,
         disparity_bits: int = 8,
         trace: bool = False,
@@ -36,19 +36,33 @@ class Simulator:
         self.pixels = pixels  # pairs a clock
         self.disparity_bits = disparity_bits  # of one pixel
         self.vhdl_files = list(vhdl_files)
-        self.work = work
+        self.root = root
         self.trace = trace
+        self._built: builds.Build | None = None
+
+    @staticmethod
+    def tools() -> dict[str, str]:
+        """{name: version} of what it runs on."""
+        raise NotImplementedError
 
     def _bench_files(self) -> list[Path]:
         raise NotImplementedError
 
-    def _build(self) -> None:
+    def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         raise NotImplementedError
 
-    def build(self) -> None:
-        makers = [Path(__file__), Path(ghdl.__file__)]
-        options = (self.config, self.trace)
-        build_once(self.work, [*self.vhdl_files, *self._bench_files(), *makers], options, self._build)
+    def build(self) -> bool:
+        """Whether it had to be built; not, where the same was built before."""
+        makers = [*self._bench_files(), Path(__file__), Path(ghdl.__file__)]
+        options = (self.config, self.trace, self.tools())
+        self._built = builds.build_once(self.root, self.vhdl_files, makers, options, self._build)
+        return self._built.is_new
+
+    @property
+    def work(self) -> Path:
+        """Its folder, once it is built."""
+        assert self._built is not None
+        return self._built.folder
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         raise NotImplementedError
@@ -73,21 +87,6 @@ class Simulator:
         return run_with_progress(command, on_line, watchdog_seconds, cwd=self.work)
 
 
-def build_once(work: Path, files: Iterable[Path], options: object, build: Callable[[], None]) -> None:
-    """Calls `build` in the empty folder `work`, unless the same files and options were built there before."""
-    key = hashlib.sha256(repr(options).encode())
-    for path in files:
-        key.update(str(path.resolve()).encode())  # GHDL looks at the file again when it runs
-        key.update(path.read_bytes())
-    stamp = work / "built"
-    if stamp.is_file() and stamp.read_text() == key.hexdigest():
-        return
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
-    build()
-    stamp.write_text(key.hexdigest())
-
-
 class Ghdl(Simulator):
     """The judge: a VHDL simulator on the VHDL as it is."""
 
@@ -97,20 +96,24 @@ class Ghdl(Simulator):
     def _bench_files(self) -> list[Path]:
         return [BENCH / "tb_stereo_core.vhd"]
 
-    def _build(self) -> None:
-        self._elaborate([*self.vhdl_files, *self._named(self._bench_files())])
+    @staticmethod
+    def tools() -> dict[str, str]:
+        return {"ghdl": tool_version(find_ghdl())}
 
-    def _named(self, templates: Iterable[Path]) -> list[Path]:
+    def _build(self, work: Path, vhdl_files: list[Path]) -> None:
+        self._elaborate(work, [*vhdl_files, *self._named(work, self._bench_files())])
+
+    def _named(self, work: Path, templates: Iterable[Path]) -> list[Path]:
         """The benches for this configuration's core."""
         copies = []
         for path in templates:
-            copies.append(self.work / path.name)
+            copies.append(work / path.name)
             copies[-1].write_text(path.read_text().replace(rtl.core_entity("NAME"), rtl.core_entity(self.config)))
         return copies
 
-    def _elaborate(self, files: Iterable[Path]) -> None:
-        ghdl.analyse(files, self.work)
-        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_core"], cwd=self.work, log=self.work / "elaborate.log")
+    def _elaborate(self, work: Path, files: Iterable[Path]) -> None:
+        ghdl.analyse(files, work)
+        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_core"], cwd=work, log=work / "elaborate.log")
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         generics = ghdl.options_of(
@@ -141,8 +144,8 @@ class Ghdl(Simulator):
         end."""
         if wave is None or wave.suffix != ".vcd":
             return super().run(stimulus, observed, on_clock, watchdog_seconds, wave, wave_clocks)
-        pipe = self.work / "wave.vcd"
-        pipe.unlink(missing_ok=True)
+        folder = tempfile.TemporaryDirectory()
+        pipe = Path(folder.name) / "wave.vcd"
         os.mkfifo(pipe)
         # Opened for both directions, so that neither end waits for the other to open it.
         keeper = os.open(pipe, os.O_RDWR)
@@ -153,7 +156,7 @@ class Ghdl(Simulator):
         finally:
             os.close(keeper)
             cutter.join()
-            pipe.unlink()
+            folder.cleanup()
 
 
 def _cut(pipe: Path, path: Path, first_ns: int, last_ns: int) -> None:
@@ -170,13 +173,13 @@ class Original(Ghdl):
     def _bench_files(self) -> list[Path]:
         return [BENCH / "bambu_read_port.vhd", BENCH / "bambu_original.vhd", *super()._bench_files()]
 
-    def _build(self) -> None:
-        library = self.work / "library"
+    def _build(self, work: Path, vhdl_files: list[Path]) -> None:
+        library = work / "library"
         library.mkdir()
         sources: list[Path] = []
-        for path in self.vhdl_files:
+        for path in vhdl_files:
             if path.suffix == ".mem":
-                shutil.copy(path, self.work)
+                shutil.copy(path, work)
             elif path.name == "stereo_core.vhd":
                 sources.insert(0, path)
             else:
@@ -189,9 +192,9 @@ class Original(Ghdl):
             copy = library / f"{port}.vhd"
             copy.write_text(template.replace("PORT", port))
             sources.append(copy)
-        log = self.work / "library.log"
-        run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=self.work, log=log)
-        self._elaborate(self._named(self._bench_files()[1:]))
+        log = work / "library.log"
+        run([find_ghdl(), "-a", ghdl.STANDARD, "--work=bambu", *sources], cwd=work, log=log)
+        self._elaborate(work, self._named(work, self._bench_files()[1:]))
 
 
 class Verilator(Simulator):
@@ -203,9 +206,13 @@ class Verilator(Simulator):
     def _bench_files(self) -> list[Path]:
         return [BENCH / "verilator_bench.cpp"]
 
-    def _build(self) -> None:
+    @staticmethod
+    def tools() -> dict[str, str]:
+        return {"ghdl": tool_version(find_ghdl()), "verilator": tool_version(find_verilator())}
+
+    def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         options = ["--trace-fst"] if self.trace else []
-        verilate(self.work, self.vhdl_files, rtl.core_entity(self.config), self._bench_files(), options)
+        verilate(work, vhdl_files, rtl.core_entity(self.config), self._bench_files(), options)
 
     def _command(self, stimulus: Path, observed: Path, wave: Path | None, wave_clocks: Clocks) -> list[Word]:
         dump: list[Word] = [] if wave is None else [wave, *wave_clocks]

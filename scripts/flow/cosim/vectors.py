@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from ..base.configurations import Parameters
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 
 FORMATS = {"stimulus": 2, "expected": 2}
@@ -62,6 +63,15 @@ def _read_header(path: Path, lines: list[str], kind: str, count_key: str) -> tup
     if len(lines) - 1 != int(header[count_key]):
         raise FlowError(f"{path}: the first line promises {header[count_key]} lines, but {len(lines) - 1} follow")
     return header, 2 * int(header["pixels"])
+
+
+def check_fits(path: Path, config: str, parameters: Parameters) -> None:
+    """Refuses a vector file, read before, whose first line says that it is for another core."""
+    header = dict(item.split("=", 1) for item in read_lines(path)[0].split()[3:])
+    known = {"config": config, "pixels": parameters["pixels_per_clock"], "disparity_bits": parameters["disparity_bits"]}
+    for key, value in known.items():
+        if header.get(key, str(value)) != str(value):
+            raise FlowError(f"{path}, line 1: {key}={header[key]}, but the core is {config} with {key}={value}")
 
 
 # (valid, start_of_frame) of each clock.

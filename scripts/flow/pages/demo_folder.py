@@ -143,6 +143,9 @@ def _read_cosim(path: Path, config: str) -> Report:
     report: Report = _read_json(path, Report)
     if report["initiation_interval"] is not None:
         _check(path, report["initiation_interval"], Interval)
+    counts_agree = 0 < report["expected"] == report["compared"] and report["mismatches"] == 0
+    if report["passed"] != counts_agree:
+        raise FlowError(f"{path} is damaged: its numbers do not say what its 'passed' says")
     if report["config"] != config:
         raise FlowError(f"{path} is of configuration {report['config']!r}, but the disparity map is of {config}")
     return report

@@ -10,12 +10,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ..base import ghdl, rtl, venv
+from ..base import builds, ghdl, rtl, venv
 from ..base.configurations import configuration
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say, find_ghdl, run, run_with_progress
 from ..cosim import vectors
-from ..cosim.simulators import build_once
 from ..synthesis import manifest
 from . import design, pool, template
 
@@ -76,18 +75,25 @@ class Ghdl:
         enabled = self.generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
         self.options = {} if enabled is None else {"enabled_at_reset": enabled}
         names = [f"{name}_{value}" for name, value in self.generics.items()]
-        self.work = work.resolve().joinpath("-".join([config, *names]))
+        self.root = work.resolve().joinpath("-".join([config, *names]))
+        self._built: builds.Build | None = None
         self.bin = environment_folder(say)
 
     def build(self) -> None:
         text = template.entity(self.config, self.entry, self.generics)
 
-        def analyse() -> None:
-            wrapper = self.work / f"{self.top}.vhd"
+        def analyse(folder: Path, files: list[Path]) -> None:
+            wrapper = folder / f"{self.top}.vhd"
             wrapper.write_text(text)
-            ghdl.analyse([*self.files, wrapper], self.work)
+            ghdl.analyse([*files, wrapper], folder)
 
-        build_once(self.work, self.files, text, analyse)
+        options = (text, ghdl.version())
+        self._built = builds.build_once(self.root, self.files, [Path(ghdl.__file__)], options, analyse)
+
+    @property
+    def work(self) -> Path:
+        assert self._built is not None
+        return self._built.folder
 
     def run(
         self,

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..base import ghdl, rtl
+from ..base import builds, ghdl, rtl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, run_with_progress
 from ..cosim import simulators, vectors
@@ -33,14 +33,20 @@ class Verilated:
     def __init__(self, config: str, work: Path, files: list[Path] | None = None) -> None:
         self.config = config
         self.files = files or design.vhdl_files(config)
-        self.work = work
+        self.root = work
+        self._built: builds.Build | None = None
 
     def build(self) -> None:
-        makers = [Path(module) for module in (__file__, simulators.__file__, ghdl.__file__)]
-        simulators.build_once(self.work, [*self.files, BENCH, *makers], None, self._build)
+        makers = [BENCH, *(Path(module) for module in (__file__, simulators.__file__, ghdl.__file__))]
+        self._built = builds.build_once(self.root, self.files, makers, simulators.Verilator.tools(), self._build)
 
-    def _build(self) -> None:
-        simulators.verilate(self.work, self.files, rtl.ip_entity(self.config), [BENCH])
+    @property
+    def work(self) -> Path:
+        assert self._built is not None
+        return self._built.folder
+
+    def _build(self, work: Path, files: list[Path]) -> None:
+        simulators.verilate(work, files, rtl.ip_entity(self.config), [BENCH])
 
     def play(self, steps: Iterable[Step], seed: int, out: Path) -> Observation:
         out = out.resolve()

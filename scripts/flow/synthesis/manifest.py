@@ -5,15 +5,16 @@ still fits."""
 import hashlib
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import TypedDict
+from typing import TypedDict, cast
 
-from ..base import json_files, rtl
+from ..base import files, json_files, rtl
 from ..base.configurations import Configuration, Parameters, parameters_of
-from ..base.errors import FlowError
-from ..base.tools import ROOT, find_tool, run
+from ..base.errors import EXIT_MISMATCH, FlowError
+from ..base.tools import ROOT, find_stereo_hls, find_tool, run
+from .structure import structure_digest
 
 FORMAT = "stereo-hls manifest 2"
 KEYS = {
@@ -112,8 +113,15 @@ def cell_digests() -> Digests:
     return _digests([rtl.MEMORY_CELL])
 
 
+def _seal(manifest: Mapping[str, object]) -> str:
+    """Of all that a manifest says, so that an edit of it shows."""
+    content = {key: value for key, value in manifest.items() if key != "seal"}
+    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+
+
 def write(directory: Path, manifest: Manifest) -> None:
-    (directory / "manifest.json").write_text(json.dumps(manifest, indent=2, sort_keys=True) + "\n")
+    content = {**manifest, "seal": _seal(manifest)}
+    files.write(directory / "manifest.json", json.dumps(content, indent=2, sort_keys=True) + "\n")
 
 
 def read(directory: Path) -> Manifest:
@@ -149,18 +157,28 @@ def design(entry: Manifest) -> Digests:
     return entry["cells"] | {"structure": entry["structure"]}
 
 
-def vhdl_files(directory: Path) -> list[Path]:
-    """The VHDL of one core in compile order, each file checked against its digest. `directory`: a folder of
-    generated_rtl/, or a copy of it."""
+def _named_files(directory: Path) -> Mapping[Path, str]:
+    """{path: digest} in compile order."""
     entry = read(directory)
-    expected = {ROOT / name: value for name, value in entry["cells"].items()}
-    expected |= {directory / name: value for name, value in entry["files"].items()}
     if not entry["files"]:
         raise FlowError(f"damaged manifest {directory / 'manifest.json'}: it names no VHDL file")
+    expected = {ROOT / name: value for name, value in entry["cells"].items()}
+    return expected | {directory / name: value for name, value in entry["files"].items()}
+
+
+def edited_files(directory: Path) -> list[str]:
+    """VHDL that is not what the manifest says."""
+    return [str(path) for path, value in _named_files(directory).items() if path.is_file() and digest(path) != value]
+
+
+def vhdl_files(directory: Path, allow_edited: bool = False) -> list[Path]:
+    """The VHDL of one core in compile order, each file checked against its digest. `directory`: a folder of
+    generated_rtl/, or a copy of it."""
+    expected = _named_files(directory)
     for path, value in expected.items():
         if not path.is_file():
             raise FlowError(f"{path} is named by the manifest but missing")
-        if digest(path) != value:
+        if digest(path) != value and not allow_edited:
             raise FlowError(f"{path} differs from its manifest; it was edited by hand, or the manifest is damaged")
     return list(expected)
 
@@ -175,18 +193,42 @@ def core_files(config: str) -> list[Path]:
     return vhdl_files(rtl.folder(config))
 
 
+def _has_structure(path: Path, structure: str) -> bool:
+    try:
+        return structure_digest(path.read_text()) == structure
+    except (FlowError, UnicodeDecodeError):  # no VHDL of ours
+        return False
+
+
+def check_program(table: Mapping[str, Configuration]) -> None:
+    """Refuses a program that is older than a table of configurations: what it says of a row may be of yesterday."""
+    program = Path(find_stereo_hls())
+    for family, folder in sorted({(row["family"], row["source_folder"]) for row in table.values()}):
+        path = ROOT / folder / family / "configurations.hpp"
+        if path.is_file() and path.stat().st_mtime > program.stat().st_mtime:
+            raise FlowError(
+                f"{program} is older than {path.relative_to(ROOT)}; build it again (scripts/setup.sh)", EXIT_MISMATCH
+            )
+
+
 def stale_reasons(name: str, row: Configuration) -> list[str]:
     """Why the VHDL of a configuration no longer follows from the sources, or is not what was made; empty when all is
     well."""
     directory = rtl.folder(name)
     manifest = read(directory)
-    reasons = []
+    reasons, core = [], f"{rtl.core_entity(name)}.vhd"
+    if manifest["configuration"] != name or set(manifest["files"]) != {core}:
+        reasons.append(f"its manifest does not name {core} as its VHDL")
+    if cast(dict[str, object], manifest).get("seal") != _seal(manifest):
+        reasons.append("manifest.json was edited")
     for file, expected in manifest["files"].items():
         path = directory / file
         if not path.is_file():
             reasons.append(f"{file} is missing")
         elif digest(path) != expected:
             reasons.append(f"{file} was edited")
+        elif not _has_structure(path, manifest["structure"]):
+            reasons.append(f"{file} is not the design that was made")
     if manifest["parameters"] != parameters_of(row) or manifest["use"] != row["use"]:
         reasons.append(f"its row in {row['family']}/configurations.hpp changed")
     then, now = manifest["sources"] | manifest["cells"], source_digests(row) | cell_digests()

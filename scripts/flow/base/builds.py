@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Things that are built once for each content of their files: a folder a digest, which no two runs fill at once, and
+which nobody removes while a run uses it."""
+
+import fcntl
+import hashlib
+import os
+import shutil
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+from .errors import FlowError
+
+KEPT = 4  # folders of one root that no run uses; older ones are removed
+_STAMP = "built"
+
+
+class _Lock:
+    """Of an open lock file, as long as somebody holds this object."""
+
+    def __init__(self, descriptor: int) -> None:
+        self.descriptor = descriptor
+
+    def __del__(self) -> None:
+        os.close(self.descriptor)
+
+
+class Build(NamedTuple):
+    folder: Path
+    is_new: bool  # built by this call
+    lock: _Lock  # nobody removes the folder while this Build is held
+
+
+def build_once(
+    root: Path,
+    files: Iterable[Path],
+    makers: Iterable[Path],
+    options: object,
+    make: Callable[[Path, list[Path]], object],
+) -> Build:
+    """The folder of `root` for these contents. `make(folder, sources)` fills it, unless that was done before.
+
+    What is made reads the copies only: files that change or go later change nothing. `makers`: files that decide how,
+    and are not copied."""
+    contents = [(path, path.read_bytes()) for path in files]
+    key = hashlib.sha256(repr(options).encode())
+    for name, data in [(path.name, data) for path, data in contents] + [("", path.read_bytes()) for path in makers]:
+        key.update(f"{name} {len(data)} ".encode() + data)
+    folder = root.resolve() / key.hexdigest()[:20]
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    sources = [folder / "sources" / path.name for path, _ in contents]
+    if len(set(sources)) != len(sources):
+        raise FlowError(f"two source files of one name: {', '.join(str(path) for path, _ in contents)}")
+    lock, is_new = _locked(folder, fcntl.LOCK_SH), False
+    while not (folder / _STAMP).is_file():
+        del lock  # two runs that hold it would wait for each other
+        lock = _locked(folder, fcntl.LOCK_EX)
+        if not (folder / _STAMP).is_file():
+            shutil.rmtree(folder, ignore_errors=True)
+            (folder / "sources").mkdir(parents=True)
+            for path, (_, data) in zip(sources, contents):
+                path.write_bytes(data)
+            _make(make, folder, sources, [path for path, _ in contents])
+            (folder / _STAMP).touch()
+            is_new = True
+        fcntl.flock(lock.descriptor, fcntl.LOCK_SH)  # not at one go: another run may remove the folder in between
+    os.utime(folder)
+    _remove_old(root.resolve(), folder)
+    return Build(folder, is_new, lock)
+
+
+def _make(make: Callable[[Path, list[Path]], object], folder: Path, copies: list[Path], files: list[Path]) -> None:
+    try:
+        make(folder, copies)
+    except FlowError as error:
+        message = str(error)
+        for copy, path in zip(copies, files):
+            message = message.replace(str(copy), str(path))  # the user's file, not our copy of it
+        raise FlowError(message, error.exit_code) from None
+
+
+def _lock_file(folder: Path) -> Path:
+    return folder.with_suffix(".lock")
+
+
+def _locked(folder: Path, kind: int) -> _Lock:
+    """Of the folder's lock file. Who removes a folder removes that file, too: then it is another one."""
+    path = _lock_file(folder)
+    while True:
+        lock = _Lock(os.open(path, os.O_RDWR | os.O_CREAT, 0o644))
+        fcntl.flock(lock.descriptor, kind)
+        if _is_still(lock, path):
+            return lock
+
+
+def _is_still(lock: _Lock, path: Path) -> bool:
+    try:
+        return os.fstat(lock.descriptor).st_ino == path.stat().st_ino
+    except FileNotFoundError:
+        return False
+
+
+def _remove_old(root: Path, used: Path) -> None:
+    """All but the latest folders that no run uses."""
+    stamps = {path.parent: _time(path.parent) for path in root.glob(f"*/{_STAMP}")}
+    for folder in sorted(stamps, key=lambda one: stamps[one], reverse=True)[KEPT:]:
+        if folder == used:
+            continue
+        lock = _Lock(os.open(_lock_file(folder), os.O_RDWR | os.O_CREAT, 0o644))
+        try:
+            fcntl.flock(lock.descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            continue  # in use
+        if _is_still(lock, _lock_file(folder)):
+            shutil.rmtree(folder, ignore_errors=True)
+            _lock_file(folder).unlink(missing_ok=True)
+
+
+def _time(folder: Path) -> float:
+    try:
+        return folder.stat().st_mtime
+    except FileNotFoundError:  # another run has removed it
+        return 0
+
+
+class Exclusive:
+    """A folder that one run at a time writes into; others wait."""
+
+    def __init__(self, folder: Path) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        self._lock = os.open(folder, os.O_RDONLY)
+
+    def __enter__(self) -> None:
+        fcntl.flock(self._lock, fcntl.LOCK_EX)
+
+    def __exit__(self, *_: object) -> None:
+        os.close(self._lock)

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many co-simulations as one regression: some at a time, each a command of its own; one line each, one summary.json,
+one junit.xml."""
+
+import fnmatch
+import hashlib
+import json
+import os
+import subprocess
+import sys
+import threading
+import time
+import xml.etree.ElementTree as xml
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+from ..base import builds, facts, files, json_files, rtl
+from ..base.configurations import configurations
+from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
+from ..base.tools import ROOT, find_stereo_hls
+from . import report
+from .simulators import BENCH, SIMULATORS
+
+FORMAT = "stereo-hls regression 1"
+ALL = "all"
+Outcome = Literal["pass", "FAIL", "ERROR", "unchanged", "not run"]
+
+
+def is_pattern(word: str) -> bool:
+    return word == ALL or any(sign in word for sign in "*?[")
+
+
+def select(words: Iterable[str]) -> list[str]:
+    """The configurations that names and patterns mean, each once. Patterns are of those whose VHDL was made."""
+    table, made = configurations(), rtl.known_configurations()
+    chosen: list[str] = []
+    for word in words:
+        found = fnmatch.filter(made, "*" if word == ALL else word) if is_pattern(word) else [word]
+        if not found:
+            raise FlowError(f"no configuration with VHDL is like '{word}'; known are: {', '.join(made)}")
+        chosen += found
+    unknown = [name for name in chosen if name not in table]
+    if unknown:
+        raise FlowError(f"unknown configuration '{unknown[0]}'; known are: {', '.join(sorted(table))}")
+    return list(dict.fromkeys(chosen))
+
+
+@dataclass
+class Entry:
+    """One configuration of a regression."""
+
+    config: str
+    outcome: Outcome = "not run"
+    text: str = ""  # why
+    seconds: float = 0
+    exit_code: int | None = None
+    inputs: str = ""  # digest of all that decides the result
+    report: dict[str, Any] = field(default_factory=dict)
+
+    def line(self) -> str:
+        return f"{self.outcome:9}  {self.config:26}  {self.text}"
+
+
+@dataclass
+class Regression:
+    configs: Sequence[str]
+    simulator: str
+    options: Sequence[str]  # of each command
+    inputs: Sequence[Path]  # files that the options name
+    out: Path
+    jobs: int = 1
+    fails_fast: bool = False
+    only_changed: bool = False
+
+    def run(self) -> int:
+        """Returns the exit code: 1 when anything differs, else the highest of all."""
+        self.out.mkdir(parents=True, exist_ok=True)
+        with builds.Exclusive(self.out):
+            return self._run()
+
+    def _run(self) -> int:
+        started = time.monotonic()
+        earlier = self._earlier() if self.only_changed else {}
+        for name in ("summary.json", "junit.xml"):
+            (self.out / name).unlink(missing_ok=True)
+        entries = [Entry(config) for config in self.configs]
+        stop, lock = threading.Event(), threading.Lock()
+
+        def one(entry: Entry) -> None:
+            if not stop.is_set():
+                self._one(entry, earlier)
+                if self.fails_fast and entry.outcome in ("FAIL", "ERROR"):
+                    stop.set()
+            entry.text = entry.text or "an earlier one failed (--fail-fast)"
+            with lock:
+                print(entry.line(), flush=True)
+
+        with ThreadPoolExecutor(self.jobs) as workers:
+            list(workers.map(one, entries))
+        code = exit_code(entries)
+        self._write(entries, code, time.monotonic() - started)
+        return code
+
+    def _one(self, entry: Entry, earlier: dict[str, Any]) -> None:
+        folder = self.out / f"{entry.config}-{self.simulator}"
+        try:
+            entry.inputs = self._digest(entry.config)
+        except FlowError as error:
+            entry.text, entry.outcome, entry.exit_code = str(error), "ERROR", error.exit_code
+            return
+        before = earlier.get(entry.config, {})
+        if before.get("inputs") == entry.inputs and before.get("outcome") in ("pass", "unchanged"):
+            entry.outcome, entry.exit_code, entry.text = "unchanged", EXIT_OK, "passed before with the same inputs"
+            return
+        command = [sys.executable, str(ROOT / "scripts" / "cosim.py"), "--config", entry.config, *self.options]
+        command += ["--simulator", self.simulator, "--out", str(folder)]
+        (folder / "report.json").unlink(missing_ok=True)
+        folder.mkdir(parents=True, exist_ok=True)
+        started = time.monotonic()
+        with (folder / "log.txt").open("w") as log:
+            ended = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
+        entry.seconds = time.monotonic() - started
+        self._judge(entry, folder, ended.returncode)
+
+    def _judge(self, entry: Entry, folder: Path, code: int) -> None:
+        """The report must say what the exit code says."""
+        try:
+            entry.report = json_files.load(folder / "report.json")
+            says = entry.report["error"]["exit_code"] if "error" in entry.report else _judged(entry.report)
+        except (OSError, ValueError, KeyError, TypeError):
+            says = None
+        entry.exit_code = code
+        if code not in (EXIT_OK, EXIT_MISMATCH):
+            entry.outcome = "ERROR"
+            entry.text = entry.report["error"]["message"] if says == code else _last_line(folder / "log.txt")
+        elif says != code:
+            entry.outcome, entry.exit_code = "ERROR", EXIT_TOOL_FAILED
+            entry.text = f"exit code {code}, but {folder / 'report.json'} does not say so"
+        else:
+            entry.outcome, entry.text = ("pass" if code == EXIT_OK else "FAIL"), _counted(entry.report)
+
+    def _digest(self, config: str) -> str:
+        """Of all that decides the result."""
+        program = Path(find_stereo_hls())
+        core = Path(os.environ.get("STEREO_CORES") or program.parent / "cores") / f"{config}.so"
+        flow = ROOT / "scripts" / "flow"
+        folders = (BENCH, flow / "cosim", flow / "base")
+        sources = [path for folder in folders for path in sorted(folder.iterdir()) if path.is_file()]
+        design = [path for path in sorted(rtl.folder(config).iterdir()) if path.suffix in (".vhd", ".vhdl")]
+        key = hashlib.sha256(repr((config, list(self.options), SIMULATORS[self.simulator].tools())).encode())
+        for path in [program, core, rtl.MEMORY_CELL, *design, *sources, *self.inputs]:
+            if path.is_file():
+                key.update(hashlib.sha256(path.read_bytes()).digest())
+        return key.hexdigest()
+
+    def _earlier(self) -> dict[str, Any]:
+        """{configuration: entry} of the summary that stands there."""
+        content = json_files.load_result(self.out / "summary.json", FORMAT)
+        runs = content.get("runs") if content else []
+        if not isinstance(runs, list) or not all(isinstance(run, dict) and "config" in run for run in runs):
+            raise json_files.damaged(self.out / "summary.json", FORMAT)
+        return {run["config"]: run for run in runs if run.get("simulator") == self.simulator}
+
+    def _write(self, entries: list[Entry], code: int, seconds: float) -> None:
+        counts = {one: sum(entry.outcome == one for entry in entries) for one in Outcome.__args__}  # type: ignore[attr-defined]
+        summary = {
+            "format": FORMAT,
+            "passed": code == EXIT_OK,
+            "exit_code": code,
+            "counts": counts,
+            "expected": sum(entry.report.get("expected", 0) for entry in entries),
+            "compared": sum(entry.report.get("compared", 0) for entry in entries),
+            "mismatches": sum(entry.report.get("mismatches", 0) for entry in entries),
+            "seconds": round(seconds, 1),
+            "environment": facts.facts(),
+            "runs": [self._content(entry) for entry in entries],
+        }
+        files.write(self.out / "summary.json", json.dumps(summary, indent=2) + "\n")
+        files.write(self.out / "junit.xml", report.junit([self._case(entry) for entry in entries]))
+        print(_table(entries))
+        said = ", ".join(f"{count} {outcome}" for outcome, count in counts.items() if count)
+        print(
+            f"{'PASS' if code == EXIT_OK else 'FAIL'}: {said}; {summary['compared']:,} of {summary['expected']:,} "
+            f"outputs compared, {summary['mismatches']:,} mismatches; {seconds:.1f} s; {self.out / 'summary.json'}"
+        )
+
+    def _content(self, entry: Entry) -> dict[str, Any]:
+        content = {key: getattr(entry, key) for key in ("config", "outcome", "text", "exit_code", "inputs", "report")}
+        return content | {"simulator": self.simulator, "seconds": round(entry.seconds, 2)}
+
+    def _case(self, entry: Entry) -> xml.Element:
+        if entry.outcome in ("unchanged", "not run"):
+            return report.case_not_run(entry.config, self.simulator, entry.text)
+        if entry.outcome == "ERROR":
+            error = {"exit_code": entry.exit_code, "message": entry.text}
+            made = {"command": "", "seed": "", **entry.report, "config": entry.config, "simulator": self.simulator}
+            return report.case_of_failure({**made, "error": error})  # type: ignore[typeddict-item]
+        return report.case_of(entry.report)  # type: ignore[arg-type]
+
+
+def exit_code(entries: Iterable[Entry]) -> int:
+    codes = [entry.exit_code for entry in entries if entry.exit_code is not None]
+    return EXIT_MISMATCH if EXIT_MISMATCH in codes else max(codes, default=EXIT_OK)
+
+
+def _judged(content: dict[str, Any]) -> int:
+    """What the counts of a report say, whatever it claims."""
+    agrees = content["expected"] > 0 and content["compared"] == content["expected"] and content["mismatches"] == 0
+    return EXIT_OK if agrees and content["passed"] else EXIT_MISMATCH
+
+
+def _counted(content: dict[str, Any]) -> str:
+    marks = ", EDITED VHDL" if content.get("edited") else ""
+    marks += ", simulation cached" if content.get("is_cached") else ""
+    first = f"; {content['first_mismatch']}" if content["first_mismatch"] else ""
+    counts = f"{content['compared']:,} of {content['expected']:,} outputs, {content['mismatches']:,} mismatches"
+    return f"{counts}, {content['simulation_seconds']:.1f} s{marks}{first}"
+
+
+def _last_line(path: Path) -> str:
+    return (path.read_text(errors="replace").strip().splitlines() or ["no message"])[-1]
+
+
+def _table(entries: Sequence[Entry]) -> str:
+    rows = [("configuration", "outcome", "compared", "expected", "mismatches", "clocks", "seconds")]
+    for entry in entries:
+        numbers = [entry.report.get(key) for key in ("compared", "expected", "mismatches", "clocks")]
+        shown = [f"{value:,}" if isinstance(value, int) else "" for value in numbers]
+        rows.append((entry.config, entry.outcome, *shown, f"{entry.seconds:.1f}"))  # type: ignore[arg-type]
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    lines = [
+        "  ".join(cell.ljust(w) if i < 2 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
+        for row in rows
+    ]
+    return "\n".join(["", *(line.rstrip() for line in lines), ""])

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What was built is found again by the content of its files only, and runs side by side do not disturb each other."""
+
+import multiprocessing
+import os
+
+import pytest
+
+from flow.base import builds
+from flow.base.errors import FlowError
+
+
+def build(root, file, made=None, text="option"):
+    def make(folder, sources):
+        (folder / "made").write_text(sources[0].read_text())
+        if made is not None:
+            made.append(folder)
+
+    return builds.build_once(root, [file], [], text, make)
+
+
+def test_the_content_decides(tmp_path):
+    file, made = tmp_path / "core.vhd", []
+    file.write_text("good")
+    first = build(tmp_path / "root", file, made)
+    time = file.stat().st_mtime
+    file.write_text("evil")  # as long
+    os.utime(file, (time, time))
+    second = build(tmp_path / "root", file, made)
+    assert (first.is_new, second.is_new) == (True, True) and first.folder != second.folder
+    assert (second.folder / "made").read_text() == "evil"
+    file.rename(tmp_path / "elsewhere")
+    (tmp_path / "new").mkdir()
+    (tmp_path / "new" / "core.vhd").write_text("good")
+    third = build(tmp_path / "root", tmp_path / "new" / "core.vhd", made)
+    assert not third.is_new and third.folder == first.folder and len(made) == 2
+    assert build(tmp_path / "root", tmp_path / "new" / "core.vhd", made, "another").is_new
+
+
+def test_a_maker_that_changes_builds_again(tmp_path):
+    (tmp_path / "core").write_text("core")
+    (tmp_path / "bench").write_text("1")
+    for expected in (True, False):
+        made = builds.build_once(tmp_path / "root", [tmp_path / "core"], [tmp_path / "bench"], 0, lambda *_: None)
+        assert made.is_new is expected
+    (tmp_path / "bench").write_text("2")
+    assert builds.build_once(tmp_path / "root", [tmp_path / "core"], [tmp_path / "bench"], 0, lambda *_: None).is_new
+
+
+def test_what_failed_is_not_there(tmp_path):
+    (tmp_path / "core").write_text("core")
+
+    def fail(folder, sources):
+        raise FlowError(f"{sources[0]}: error", 4)
+
+    for _ in range(2):
+        with pytest.raises(FlowError, match=f"^{tmp_path / 'core'}: error$"):
+            builds.build_once(tmp_path / "root", [tmp_path / "core"], [], 0, fail)
+    assert build(tmp_path / "root", tmp_path / "core", text=0).is_new
+
+
+def test_only_folders_that_nobody_uses_are_removed(tmp_path):
+    file, held = tmp_path / "core", []
+    for number in range(2 * builds.KEPT):
+        file.write_text(str(number))
+        held.append(build(tmp_path / "root", file))
+    assert all((one.folder / "made").is_file() for one in held)
+    held = held[:1]
+    file.write_text("last")
+    build(tmp_path / "root", file)
+    assert (held[0].folder / "made").is_file()
+    assert len(list((tmp_path / "root").glob("*/made"))) <= builds.KEPT + 1
+    assert len(list((tmp_path / "root").glob("*.lock"))) <= builds.KEPT + 1
+
+
+def build_and_look(root, file, failures):
+    for _ in range(40):
+        made = build(root, file)
+        if (made.folder / "made").read_text() != file.read_text():
+            failures.put(f"{file.name}: another content")
+
+
+def test_many_processes_at_once(tmp_path):
+    """More contents than are kept, so that folders come and go all the time."""
+    context = multiprocessing.get_context("fork")
+    failures = context.Queue()
+    workers = []
+    for number in range(3 * builds.KEPT):
+        file = tmp_path / str(number % (2 * builds.KEPT)) / "core"
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(f"content {number % (2 * builds.KEPT)}")
+        workers.append(context.Process(target=build_and_look, args=(tmp_path / "root", file, failures)))
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert failures.empty(), failures.get()
+    assert [worker.exitcode for worker in workers] == [0] * len(workers)
+
+
+def test_one_run_at_a_time_writes_into_a_folder(tmp_path):
+    context = multiprocessing.get_context("fork")
+
+    def count():
+        for _ in range(20):
+            with builds.Exclusive(tmp_path):
+                file = tmp_path / "count"
+                value = int(file.read_text()) if file.is_file() else 0
+                file.write_text(str(value + 1))
+
+    workers = [context.Process(target=count) for _ in range(4)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert (tmp_path / "count").read_text() == "80"
