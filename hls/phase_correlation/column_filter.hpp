@@ -59,30 +59,33 @@ struct ColumnFilter {
       outer = uint16_t(tap[0] + tap[4]);
       upper = uint16_t(tap[0] + 2 * tap[1]);
       lower = uint16_t(tap[4] + 2 * tap[3]);
-      if constexpr (kBoxClocks > 0) add_boxes(column);
+      if constexpr (kBoxClocks > 0) add_boxes<kBoxClocks - 1>(column);
    }
 
   private:
+   // Clocks J, J-1, ... of the boxes. Recursion instead of a loop: what a clock adds depends on its number, and the
+   // front end does not unroll a loop of which it has led each turn its own way.
+   template <int J>
    HLS_INLINE void add_boxes(const uint8_t (&column)[kRows]) {
+      constexpr int kPairs = (kStep >> J) / 2;
       HLS_UNROLL
-      for (int j = kBoxClocks - 1; j >= 0; --j) {
-         HLS_UNROLL
-         for (int n = 0; n < kTaps; ++n) {
+      for (int n = 0; n < kTaps; ++n) {
+         if constexpr (kPairs == 0) {
+            box[J][n][0] = part<J>(column, n, 0);
+         } else {
             HLS_UNROLL
-            for (int i = 0; i < kParts; ++i) {
-               const int before = kStep >> j, parts = before > 1 ? before / 2 : 1;
-               if (i >= parts) continue;
-               const int a = before > 1 ? 2 * i : 0, row = kCentre + (n - 2) * kStep - a;
-               const uint16_t first = j > 0 ? box[j > 0 ? j - 1 : 0][n][a] : uint16_t(column[row]);
-               if (before > 1) {
-                  const uint16_t second = j > 0 ? box[j > 0 ? j - 1 : 0][n][a + 1] : uint16_t(column[row - 1]);
-                  box[j][n][i] = uint16_t(first + second);
-               } else {
-                  box[j][n][i] = first;
-               }
-            }
+            for (int i = 0; i < kPairs; ++i)
+               box[J][n][i] = uint16_t(part<J>(column, n, 2 * i) + part<J>(column, n, 2 * i + 1));
          }
       }
+      if constexpr (J > 0) add_boxes<J - 1>(column);
+   }
+
+   /// Part `i`, counted upward from the last row, of the box of tap `n`: as the clock before J left it.
+   template <int J>
+   HLS_INLINE uint16_t part(const uint8_t (&column)[kRows], int n, int i) const {
+      if constexpr (J > 0) return box[J - 1][n][i];
+      else return column[kCentre + (n - 2) * kStep - i];
    }
 };
 

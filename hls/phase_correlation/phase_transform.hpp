@@ -112,23 +112,25 @@ struct PhaseTransform {
    static constexpr int kLagRows = C.transform_groups();
    static constexpr int kLagColumns = C.transform_columns();
 
-   /// The columns after the centre may be the first ones of the next row: then the centre stands in the row before.
    HLS_INLINE void find_place() {
-      const int column = counter.column, group = counter.group;
-      const bool same_row = column >= kLagColumns;
-      HLS_UNROLL
-      for (int k = 0; k < C.scales; ++k) {
-         const FilterReach reach = C.reach(k);
-         const int first_row = reach.above + kLagRows, last_row = C.height_px - 1 - reach.below + kLagRows;
-         const int first = reach.before + kLagColumns, last = C.width_px - 1 - reach.after + kLagColumns;
-         const bool here = column >= first && column <= last && group >= first_row && group <= last_row;
-         const bool before =
-             column >= first - C.width_px && column <= last - C.width_px && group > first_row && group <= last_row + 1;
-         read.inside[k] = select<bool>(same_row, here, before);
-      }
-      read.start_of_frame = group == kLagRows && column == kLagColumns;
+      find_inside<0>(counter.column, counter.group);
+      read.start_of_frame = (counter.group == kLagRows) & (counter.column == kLagColumns);
       read.valid = valid;
       read_column = counter.column;
+   }
+
+   /// Of scales K, K+1, ... The columns after the centre may be the first ones of the next row: then the centre stands
+   /// in the row before. Recursion: each scale has its own numbers. Without &&, which would be a branch.
+   template <int K>
+   HLS_INLINE void find_inside(int column, int group) {
+      constexpr FilterReach kReach = C.reach(K);
+      constexpr int kFirstRow = kReach.above + kLagRows, kLastRow = C.height_px - 1 - kReach.below + kLagRows;
+      constexpr int kFirst = kReach.before + kLagColumns, kLast = C.width_px - 1 - kReach.after + kLagColumns;
+      const bool here = (column >= kFirst) & (column <= kLast) & (group >= kFirstRow) & (group <= kLastRow);
+      const bool before = (column >= kFirst - C.width_px) & (column <= kLast - C.width_px) & (group > kFirstRow) &
+                          (group <= kLastRow + 1);
+      read.inside[K] = select<bool>(column >= kLagColumns, here, before);
+      if constexpr (K + 1 < C.scales) find_inside<K + 1>(column, group);
    }
 
    static HLS_INLINE void copy(Tag& to, const Tag& from) {

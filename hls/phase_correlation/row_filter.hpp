@@ -57,7 +57,7 @@ struct RowFilter {
          odd[f] = (C.reference == Reference::right ? Value(before[f] - after[f]) : Value(after[f] - before[f])) & kMask;
       }
       take_taps(response, tags[kBoxClocks].valid);
-      if constexpr (kBoxClocks > 0) add_boxes(response, tags);
+      if constexpr (kBoxClocks > 0) add_boxes<kBoxClocks - 1>(response, tags);
    }
 
   private:
@@ -85,25 +85,26 @@ struct RowFilter {
       }
    }
 
-   template <class Tag>
+   /// Clocks J, J-1, ... of the boxes; recursion as in ColumnFilter.
+   template <int J, class Tag>
    HLS_INLINE void add_boxes(const uint16_t (&response)[kFilters], const Tag* tags) {
+      constexpr int kColumnsBefore = 1 << J;
       HLS_UNROLL
-      for (int j = kBoxClocks - 1; j >= 0; --j) {
-         HLS_UNROLL
-         for (int f = 0; f < kFilters; ++f) {
-            const Value in = j > 0 ? box[j > 0 ? j - 1 : 0][f] : Value(response[f]);
-            const int lag = 1 << j;
-            if (lag >= kStep) {
-               box[j][f] = in;
-               continue;
-            }
-            box[j][f] = Value(in + earlier[j][f][lag - 1]) & kMask;
+      for (int f = 0; f < kFilters; ++f) {
+         Value in;
+         if constexpr (J > 0) in = box[J - 1][f];
+         else in = response[f];
+         if constexpr (kColumnsBefore >= kStep) {
+            box[J][f] = in;
+         } else {
+            box[J][f] = Value(in + earlier[J][f][kColumnsBefore - 1]) & kMask;
             HLS_UNROLL
-            for (int i = kLag - 1; i > 0; --i)
-               if (i < lag) earlier[j][f][i] = select<Value>(tags[j].valid, earlier[j][f][i - 1], earlier[j][f][i]);
-            earlier[j][f][0] = select<Value>(tags[j].valid, in, earlier[j][f][0]);
+            for (int i = kColumnsBefore - 1; i > 0; --i)
+               earlier[J][f][i] = select<Value>(tags[J].valid, earlier[J][f][i - 1], earlier[J][f][i]);
+            earlier[J][f][0] = select<Value>(tags[J].valid, in, earlier[J][f][0]);
          }
       }
+      if constexpr (J > 0) add_boxes<J - 1>(response, tags);
    }
 };
 
