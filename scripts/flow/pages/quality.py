@@ -159,6 +159,20 @@ def cameras_table(runs: Iterable[list[Measured]]) -> str:
     return table(["method", *(title for title, _ in CAMERAS)], rows)
 
 
+def winners_table(cameras: list[Measured]) -> str:
+    """Of each of CAMERAS: the method with the fewest bad pixels, of all and of some families."""
+    rows = []
+    for (camera, _), results in zip(CAMERAS, cameras):
+        best = [
+            min(results, key=lambda entry: bad_1(entry[1])),
+            best_of_family(results, "phase_correlation"),
+            best_of_family(results, "block_matching"),
+            best_of_family(results, "semi_global"),
+        ]
+        rows.append([camera, *(f"{title}: {percent(bad_1(method))}" for title, method in best)])
+    return table(["cameras", "fewest of all", "best phase correlation", "best block matching", "semi-global"], rows)
+
+
 def _mean(values: list[float | None]) -> float | None:
     """None where a value is not known."""
     known = [value for value in values if value is not None]
@@ -255,6 +269,7 @@ def scenes_text() -> str:
 
 def page(pair: Path) -> str:
     results = measure(pair_images(pair), PAIR_DISPARITIES)
+    cameras = measure_cameras(pair_images(pair), PAIR_DISPARITIES)
     return (
         (TEXTS / "quality.md")
         .read_text()
@@ -266,7 +281,8 @@ def page(pair: Path) -> str:
             tolerance=f"{100 * OPENCV_TOLERANCE:g}",
             stored=stored_table(dict(results)[BM]),
             verdict=verdict(results),
-            cameras=cameras_table([measure_cameras(pair_images(pair), PAIR_DISPARITIES)]),
+            cameras=cameras_table([cameras]),
+            winners=winners_table(cameras),
             scenes=scenes_text(),
         )
     )
